@@ -13,6 +13,7 @@
 #include "basis/sh_zonal.h"
 #include "compress/quantized_numbers.h"
 #include "images/sky_lamps.h"
+#include "support/disk_skies.h"
 #include "support/gltf_files.h"
 #include "support/installed_programs.h"
 
@@ -98,11 +99,7 @@ TEST_F(Module, Sky_HasTheCoefficientsOfTheLibrary) {
 TEST_F(Module, Lamps_AreTakenOutAsTheLibraryDoes) {
   Environment sky = skyWithSun(256);
   const glm::dvec3 towards = glm::normalize(glm::dvec3(-1.0, 0.5, 1.0));
-  for (int row = 0; row < sky.height; ++row)
-    for (int column = 0; column < sky.width; ++column)
-      if (glm::dot(Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height), towards) >
-          std::cos(0.1))
-        sky.radiance[static_cast<std::size_t>(row) * sky.width + column] = {30.0f, 20.0f, 10.0f};
+  test::addDisk(sky, towards, 0.1, {30.0f, 20.0f, 10.0f});
   const LampsAndSky expected = takeLampsOut(sky);
   ASSERT_EQ(expected.lamps.size(), 2u);
   const Json found = said(std::string(givenSky) +

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "images/preetham_sky.h"
+#include "support/disk_skies.h"
 
 namespace prelight {
 namespace {
@@ -61,12 +62,7 @@ TEST(SkyLamps, LampsAndRest_AddUpToTheSky) {
 /// A dark sky with disks of radiance 100 around directions.
 Environment skyWithDisks(std::span<const glm::dvec3> directions, double radius) {
   Environment sky{512, 256, std::vector<glm::vec3>(512 * 256, glm::vec3(0.1f))};
-  for (int row = 0; row < 256; ++row)
-    for (int column = 0; column < 512; ++column) {
-      const glm::dvec3 w = Environment::direction((column + 0.5) / 512, (row + 0.5) / 256);
-      for (const glm::dvec3& direction : directions)
-        if (glm::dot(w, direction) > std::cos(radius)) sky.radiance[row * 512 + column] = glm::vec3(100.0f);
-    }
+  for (const glm::dvec3& direction : directions) test::addDisk(sky, direction, radius, glm::vec3(100.0f));
   return sky;
 }
 

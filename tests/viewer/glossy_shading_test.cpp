@@ -7,6 +7,7 @@
 
 #include "basis/sh.h"
 #include "images/sky_lamps.h"
+#include "support/disk_skies.h"
 #include "support/ggx_albedo.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"
@@ -115,13 +116,8 @@ TEST(GlossyShading, LampOfASky_IsReflectedAsALightOfItsIrradiance) {
   quad.bake.glossy = openMatrices(quad.compiled.normals, 4, 1);
   for (float& m : quad.bake.glossy->matrices) m *= 0.5f;
   viewer::RenderOptions options = square(Shading::Glossy);
-  Environment sky{1024, 512, std::vector<glm::vec3>(std::size_t{1024} * 512, glm::vec3(0.0f))};
-  for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
-    const glm::dvec3 way = Environment::direction((static_cast<double>(texel % 1024) + 0.5) / 1024,
-                                                  (static_cast<double>(texel / 1024) + 0.5) / 512);
-    if (glm::dot(way, glm::dvec3(-sine, 0.0, cosine)) > std::cos(0.01))
-      sky.radiance[texel] = glm::vec3(static_cast<float>(2.0 / (pi * 0.01 * 0.01)));
-  }
+  const Environment sky = test::skyWithDisk(1024, glm::vec3(0.0f), {-sine, 0.0, cosine}, 0.01,
+                                            glm::vec3(static_cast<float>(2.0 / (pi * 0.01 * 0.01))));
   const LampsAndSky parts = takeLampsOut(sky);
   ASSERT_EQ(parts.lamps.size(), 1u);
   const SkyLamp& lamp = parts.lamps[0];

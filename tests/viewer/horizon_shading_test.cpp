@@ -8,6 +8,7 @@
 #include "images/sky_lamps.h"
 #include "prelight/picture.h"
 #include "scene/surface/surface_frame.h"
+#include "support/disk_skies.h"
 #include "techniques/horizons/horizon_bands.h"
 #include "viewer/options/light_option.h"
 #include "viewer/picture_checks.h"
@@ -181,12 +182,7 @@ TEST(HorizonShading, LampOfASkyBehindTwoSidedQuad_HasTheAccessibleShare) {
   material.doubleSided = true;
   quad.add(material);
   quad.lookFrom({0, 0, -2}, {0, 0, 0});
-  Environment sky{256, 128, std::vector<glm::vec3>(std::size_t{256} * 128, glm::vec3(0.0f))};
-  for (std::size_t texel = 0; texel < sky.radiance.size(); ++texel) {
-    const glm::dvec3 way = Environment::direction((static_cast<double>(texel % 256) + 0.5) / 256,
-                                                  (static_cast<double>(texel / 256) + 0.5) / 128);
-    if (way.z < -std::cos(0.05)) sky.radiance[texel] = glm::vec3(1000.0f);
-  }
+  const Environment sky = test::skyWithDisk(256, glm::vec3(0.0f), {0.0, 0.0, -1.0}, 0.05, glm::vec3(1000.0f));
   quad.setSky(sky);
   const LampsAndSky parts = takeLampsOut(sky);
   ASSERT_EQ(parts.lamps.size(), 1u);

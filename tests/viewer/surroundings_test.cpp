@@ -147,11 +147,11 @@ double meetBall(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3&
   return d < 0.0 ? -1.0 : -b - std::sqrt(d);
 }
 
-Material mirror() {
+Material mirror(float roughness = 0.0f) {
   Material material;
   material.baseColor = glm::vec4(1.0f);
   material.metallic = 1.0f;
-  material.roughness = 0.0f;
+  material.roughness = roughness;
   return material;
 }
 
@@ -212,9 +212,7 @@ TEST(Surroundings, MirrorBallSunkInATwoSidedFloor_ShowsTheSkyAboveIt) {
 
 /// Lossless balls under an even sky look like the sky, even where they show one another.
 TEST(Surroundings, RoughBallsThatShowOneAnother_HaveNoBlackBlots) {
-  Material rough = mirror();
-  rough.roughness = 0.3f;
-  Ball balls(rough, glm::vec3(0.0f), Ball::Around::AnotherBall);
+  Ball balls(mirror(0.3f), glm::vec3(0.0f), Ball::Around::AnotherBall);
   balls.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
   const Picture picture = balls.render();
   float least = 1e9f;
@@ -256,9 +254,7 @@ TEST(LocalReflections, MirrorBallInARoom_ShowsWhatRaysMeet) {
 /// Lossless balls under an even sky look like the sky.
 TEST(LocalReflections, RoughBallsThatShowOneAnother_LookLikeTheSky) {
   for (const float roughness : {0.1f, 0.4f, 0.8f}) {
-    Material rough = mirror();
-    rough.roughness = roughness;
-    Ball balls(rough, glm::vec3(0.0f), Ball::Around::AnotherBall);
+    Ball balls(mirror(roughness), glm::vec3(0.0f), Ball::Around::AnotherBall);
     balls.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
     balls.quad.bakeOpen(3);
     balls.shading = Shading::Sh;
@@ -269,9 +265,7 @@ TEST(LocalReflections, RoughBallsThatShowOneAnother_LookLikeTheSky) {
 
 /// Walls are emissive surfaces with samples, whose highlights would add to their reflections.
 TEST(LocalReflections, EmissiveSurfaces_AreReflectedOnce) {
-  Material rough = mirror();
-  rough.roughness = 0.3f;
-  Ball ball(rough, glm::vec3(0.0f), Ball::Around::Room);
+  Ball ball(mirror(0.3f), glm::vec3(0.0f), Ball::Around::Room);
   ball.quad.bakeOpen(3);
   ball.shading = Shading::Sh;
   const Picture without = ball.render();
@@ -281,9 +275,7 @@ TEST(LocalReflections, EmissiveSurfaces_AreReflectedOnce) {
 
 /// A lamp behind a wall of the cube map makes no highlight, one before it does.
 TEST(LocalReflections, LampBehindAWall_HasNoHighlight) {
-  Material rough = mirror();
-  rough.roughness = 0.3f;
-  Ball ball(rough, glm::vec3(0.0f), Ball::Around::Room);
+  Ball ball(mirror(0.3f), glm::vec3(0.0f), Ball::Around::Room);
   ball.quad.bakeOpen(3);
   ball.shading = Shading::Sh;
   const Picture dark = ball.render();
@@ -334,9 +326,7 @@ TEST(LocalReflections, ManyLargeNodesUnderASky_TakeNoMaps) {
 
 /// A window spreads the faces over pictures, and light changes while a cube is half drawn.
 TEST(LocalReflections, LightThatChangedBetweenFaces_IsInAllLobesAtLast) {
-  Material rough = mirror();
-  rough.roughness = 0.3f;
-  Ball ball(rough, glm::vec3(0.0f), Ball::Around::Nothing);
+  Ball ball(mirror(0.3f), glm::vec3(0.0f), Ball::Around::Nothing);
   Primitive& room = ball.quad.add(lambertian(glm::vec3(0.5f)));
   const CompiledScene box = test::box(4, glm::vec3(-2.0f), glm::vec3(2.0f), true);
   room.positions = box.positions;
