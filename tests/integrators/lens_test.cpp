@@ -65,7 +65,7 @@ constexpr double squarePixels = 3.2;  // edge of the square in the picture
 /// Variance of the light of a square of this edge about the corner of four pixels, in squared pixels: whole
 /// pixels next to the corner and 0.6 of those beyond.
 constexpr double sharpVariance = (0.5 * 0.5 + 0.6 * 1.5 * 1.5) / 1.6;
-/// The same of a square that is blurred over many pixels.
+/// Variance of a square that is blurred over many pixels.
 constexpr double blurredVariance = (squarePixels * squarePixels + 1.0) / 12.0;
 
 TEST(Lens, SquareOutOfFocus_FillsItsCircleOfConfusionWithTheSameLight) {
@@ -204,8 +204,7 @@ class MovingSquare {
 TEST(Exposure, MovingSquare_LeavesAStreakOfItsWayAndItsLight) {
   for (const bool cameraMoves : {false, true}) {
     MovingSquare square(cameraMoves);
-    const Spread still = spreadOf(square.expose(0.0, 256)),
-                 moved = spreadOf(square.expose(exposedFor, 1024));
+    const Spread still = spreadOf(square.expose(0.0, 256)), moved = spreadOf(square.expose(exposedFor, 1024));
     constexpr double way = perMetre * speed * exposedFor, wide = perMetre * edge;
     EXPECT_NEAR(moved.total, radiance * wide * wide, 0.01 * moved.total);
     EXPECT_NEAR(moved.along, (way * way + wide * wide + 1.0) / 12.0, 0.02 * moved.along);

@@ -259,8 +259,8 @@ TEST(DiscEdges, BallAboveAPlane_HidesItsFormFactor) {
   }
 }
 
-// Of the hemisphere about a normal that leans by an angle from the triangle's, the triangle hides
-// (1 - its cosine) / 2.
+// The triangle hides (1 - cosine) / 2 of the hemisphere about a normal, with the cosine of the angle by which
+// the normal leans from the triangle's.
 TEST(DiscEdges, OwnTriangle_HidesWhatLiesBelowIt) {
   const gl::EglContext context;
   const CompiledScene scene = test::ground(1, 1.0f);

@@ -1,4 +1,4 @@
-// What glossy matrices tell of single directions, against sums over the sphere.
+// Visibility of single directions by glossy matrices, against sums over the sphere.
 #include "viewer/techniques/glossy/matrix_visibility.h"
 
 #include <gtest/gtest.h>

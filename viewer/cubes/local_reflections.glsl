@@ -1,4 +1,4 @@
-// What lies around a reflecting surface, by the cube map of its node (viewer/cubes/surroundings.h); needs sky.glsl and
+// Reflections of the surroundings of a surface, by the cube map of its node (viewer/cubes/surroundings.h); needs sky.glsl and
 // lights.glsl.
 #include "surroundings.glsl"
 #include "lamp_reach.glsl"

@@ -18,7 +18,7 @@
 
 namespace prelight::viewer {
 
-/// What cube maps show what lies around in.
+/// How cube maps of surroundings are read.
 enum class Reflecting : std::uint8_t {
   Mirrors,  ///< mirrors, metals and glass, in shadings of all light: the map itself, and mip levels for rough
             ///< ones

@@ -1,4 +1,4 @@
-// What lies around a reflecting surface: here nothing is known of it. Where a cube map shows it, cubes/local_reflections.glsl takes the
+// Nothing is known here of the surroundings of a reflecting surface. Where a cube map shows them, cubes/local_reflections.glsl takes the
 // place of this text.
 
 // Returns how much is known of what a point sees, 0..1.

@@ -20,7 +20,7 @@ struct SeenLamp {
   bool shines() const { return irradiance != glm::dvec3(0.0); }
 };
 
-/// What arrives of a lamp at a receiver, by channel.
+/// A lamp's light as it arrives at a receiver, by channel.
 struct ArrivingLamp {
   glm::dvec3 direct{0.0};  ///< share of the lamp's own light, 0..1
   glm::dvec3 bounced{

@@ -20,7 +20,7 @@ struct HemispherePlace {
   glm::vec3 geometricNormal{0.0f};  ///< unit, of the triangle, on the side that is looked from
 };
 
-/// What a place sees of the sky. With V(w) = 1 in open directions w of the hemisphere and 0 in others, and
+/// The sky as a place sees it. With V(w) = 1 in open directions w of the hemisphere and 0 in others, and
 /// the integral of f times cosine / pi written as <f>:
 struct HemisphereView {
   float open = 0.0f;                  ///< <V>, in [0,1]; exactly 0 or 1 where all directions are alike

@@ -118,7 +118,7 @@ void addComponents(const BakeToCompress& from, StoredForms& forms, std::vector<s
   GlossyTransfer& glossy = *from.bake.glossy;
   const std::size_t entries = entriesOf(glossy);
   if (entries > mostEntries) return;
-  // What writes the file says where a number is not finite.
+  // The writer of the file says where a number is not finite.
   if (!std::ranges::all_of(glossy.matrices, [](float entry) { return std::isfinite(entry); })) return;
   std::optional<BoundedCompression> found = componentsOf(glossy, from);
   if (!found || found->transfer.byteCount() >= glossy.matrices.size()) return;

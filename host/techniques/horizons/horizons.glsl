@@ -66,7 +66,7 @@ float diskPastBands(Horizons h, vec3 direction, float radius) {
   return diskAbove(height - bands.horizon, radius) * (1.0 - bands.hidden);
 }
 
-// What shadows leave of a lamp; radius: half the angle that it is as large as. A lamp of a sky is no sharper than other lamps without
+// Returns the share of a lamp's light that shadows leave; radius: half the angle of the lamp. A lamp of a sky is no sharper than other lamps without
 // a size: horizons of vertices are not as fine as the sun's disk.
 float lampAboveHorizon(Horizons h, Light light, vec3 toLight, float radius) {
   return diskPastBands(h, toLight, radius > 0.0 && !isOfSky(light) ? radius : max(radius, horizonSoftness));

@@ -36,7 +36,7 @@ class GlossyLighting : public DrawnTransfer {
   void describe(const Illumination&, Warnings&) const override {}
 
  private:
-  /// What a light becomes at vertices.
+  /// The light of a view at vertices.
   struct LitVertices {
     std::vector<float> arriving;     ///< [vertex][3][i]
     std::vector<glm::vec3> diffuse;  ///< [vertex], exit radiance over albedo

@@ -6,8 +6,8 @@
 
 namespace prelight::viewer {
 
-/// What a receiver sees in single directions, by its glossy matrix, M_ij = integral of V cos / pi Y_i Y_j.
-/// With the values y_i of the functions in a direction, y M y / (y y) is the mean of V cos / pi over a
+/// Visibility of single directions at a receiver, by its glossy matrix, M_ij = integral of V cos / pi Y_i
+/// Y_j. With the values y_i of the functions in a direction, y M y / (y y) is the mean of V cos / pi over a
 /// kernel: the square of the narrowest function of the bands about the direction. It knows twice the bands of
 /// M's rows, is nowhere negative, and rings little.
 class MatrixVisibility {
