@@ -97,4 +97,17 @@ std::string didYouMean(std::string_view word, std::span<const std::string> names
   return name ? "did you mean " + *name + "? " : "";
 }
 
+std::string escapedText(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
 }  // namespace prelight

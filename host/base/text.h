@@ -27,6 +27,9 @@ std::optional<std::string> suggestName(std::string_view word, std::span<const st
 /// none is near.
 std::string didYouMean(std::string_view word, std::span<const std::string> names);
 
+/// Returns a text as HTML and SVG have it between tags: with & and < escaped.
+std::string escapedText(std::string_view text);
+
 /// Number of values of an enumeration that counts from 0, from the function that names them: a switch without
 /// a default, so that the compiler tells of a value without a name, which returns an empty name for others.
 template <typename Enum>

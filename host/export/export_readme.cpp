@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.h"
 #include "export/export_bake.h"
 #include "export/relight_module.h"
 #include "export/text_sources.h"
@@ -17,13 +18,6 @@ namespace {
 void replaceAll(std::string& text, const std::string& mark, const std::string& by) {
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
     text.replace(at, mark.size(), by);
-}
-
-/// Returns a text within HTML.
-std::string textOfHtml(std::string text) {
-  replaceAll(text, "&", "&amp;");
-  replaceAll(text, "<", "&lt;");
-  return text;
 }
 
 /// Returns a file's name within a URL, which then ends no string of a script either.
@@ -81,7 +75,7 @@ std::string filledIn(const std::string& source, const std::string& name, const E
   replaceAll(text, "{FILES}", fileTable(report));
   replaceAll(text, "{LIGHTS}", lightsText(report, request));
   replaceAll(text, "{COLORSCALE}", fmt::format("{:.6g}", report.meshes.colorScale));
-  replaceAll(text, "{TITLE}", textOfHtml(name));
+  replaceAll(text, "{TITLE}", escapedText(name));
   replaceAll(text, "{URLNAME}", nameInUrl(name));
   replaceAll(text, "{NAME}", name);
   return text;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "scene/surface/triangles.h"
+
 namespace prelight::plot {
 namespace {
 
@@ -38,18 +40,16 @@ glm::dvec3 shaded(const glm::dvec3& normal, const glm::dvec3& towards, bool isPo
   return light * glm::dvec3(color[0], color[1], color[2]);
 }
 
-double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// Draws a triangle; places are samples and depths.
 void fill(Square& square, const std::array<glm::dvec3, 3>& p, const glm::dvec3& color) {
   const glm::dvec2 a(p[0]), b(p[1]), c(p[2]);
-  const double area = crossOf(b - a, c - a);
+  const double area = cross(b - a, c - a);
   if (std::abs(area) < 1e-9) return;
   const glm::dvec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
   for (int y = std::max(0, static_cast<int>(low.y)); y <= std::min<double>(square.side - 1, high.y); ++y)
     for (int x = std::max(0, static_cast<int>(low.x)); x <= std::min<double>(square.side - 1, high.x); ++x) {
       const glm::dvec2 q(x + 0.5, y + 0.5);
-      const double u = crossOf(c - b, q - b) / area, v = crossOf(a - c, q - c) / area, w = 1.0 - u - v;
+      const double u = cross(c - b, q - b) / area, v = cross(a - c, q - c) / area, w = 1.0 - u - v;
       if (std::min({u, v, w}) < 0.0) continue;
       const double depth = u * p[0].z + v * p[1].z + w * p[2].z;
       const std::size_t at = static_cast<std::size_t>(y) * square.side + x;

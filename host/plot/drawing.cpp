@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "images/picture_codecs.h"
 #include "prelight/error.h"
 
@@ -24,20 +25,6 @@ std::string base64Of(std::span<const std::uint8_t> bytes) {
     for (std::size_t d = 0; d < 4; ++d) text += d <= count ? digits[bits >> (18 - 6 * d) & 63] : '=';
   }
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
 }
 
 std::string cssOf(const Color& color) {
@@ -60,7 +47,7 @@ std::string svgOf(const Drawing& drawing) {
     svg += fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-family=\"sans-serif\" font-size=\"12\" "
         "fill=\"{}\">{}</text>\n",
-        label.place.x, label.place.y, cssOf(label.color), escaped(label.text));
+        label.place.x, label.place.y, cssOf(label.color), escapedText(label.text));
   return svg + "</svg>\n";
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "base/text.h"
 #include "export/relight_module.h"
 #include "prelight/error.h"
 #include "techniques/registry/registry.h"
@@ -24,19 +25,6 @@ std::string joinedScripts() {
   std::string text = relightModule();
   for (const char* script : scripts) text += webPageTexts().at(script) + "\n";
   return text;
-}
-
-std::string escapedText(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else
-      escaped += c;
-  }
-  return escaped;
 }
 
 /// Within a script element, which "</" could end.
