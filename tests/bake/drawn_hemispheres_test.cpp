@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "bake/baker.h"
-#include "bake/make_plan.h"
 #include "basis/sh_zonal.h"
 #include "library/run_bake.h"
 #include "oracle/hemisphere_view.h"
@@ -16,6 +14,7 @@
 #include "prelight/load.h"
 #include "support/devices.h"
 #include "support/resumed.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -53,17 +52,9 @@ BakeRequest drawnRequest(int order) {
   return request;
 }
 
-struct DrawnBake {
-  Bake bake;
-  BakeReport report;
-};
-
-DrawnBake bakeBy(HemisphereRenderer* renderer, const CompiledScene& scene, const BakeRequest& request) {
-  DrawnBake result;
-  Progress progress;
-  result.bake = bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress,
-                          result.report, nullptr, nullptr, renderer);
-  return result;
+test::BakeResult bakeBy(HemisphereRenderer* renderer, const CompiledScene& scene,
+                        const BakeRequest& request) {
+  return test::runBake(scene, request, {}, renderer);
 }
 
 double rmsApart(const std::vector<float>& a, const std::vector<float>& b) {
@@ -76,7 +67,7 @@ double rmsApart(const std::vector<float>& a, const std::vector<float>& b) {
 TEST(DrawnHemispheres, OpenSky_GivesTheTransferOfAClampedCosineWithoutARay) {
   const CompiledScene scene = test::sphere(24, 1.0f, {0, 0, 0});
   TestRenderer renderer(openSky);
-  const DrawnBake drawn = bakeBy(&renderer, scene, drawnRequest(3));
+  const test::BakeResult drawn = bakeBy(&renderer, scene, drawnRequest(3));
   std::vector<double> open(9);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
     EXPECT_FLOAT_EQ(drawn.bake.ao[v], 1.0f);

@@ -8,11 +8,9 @@
 #include <thread>
 #include <vector>
 
-#include "bake/baker.h"
-#include "bake/make_plan.h"
 #include "oracle/hemisphere_view.h"
 #include "receivers/surface_sampler.h"
-#include "support/devices.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -71,10 +69,7 @@ TEST(OpenGlHemispheres, SamePlaces_HaveTheSameViewsFromAnyThread) {
 }
 
 Bake bakeOf(const CompiledScene& scene, const BakeRequest& request, HemisphereRenderer* renderer) {
-  Progress progress;
-  BakeReport report;
-  return bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report,
-                   nullptr, nullptr, renderer);
+  return test::runBake(scene, request, {}, renderer).bake;
 }
 
 TEST(OpenGlHemispheres, BakeOfABallOverAFloor_IsThatOfRays) {
