@@ -231,12 +231,17 @@ std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& pictur
     next_ = (next_ + 1) % (facesOfACube * nodes_.size());
     if (facesSeen_ >= facesOfACube * nodes_.size() || ++facesSeen_ % facesOfACube != 0) continue;
     // The nodes that come next may show this one, which looks its map up blurred where it is rough.
-    gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
-    glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
+    blur();
   }
+  blur();
+  return drawn;
+}
+
+/// Fills the mip levels of the maps. Lobes have their own.
+void Surroundings::blur() const {
+  if (lobes_) return;
   gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
   glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
-  return drawn;
 }
 
 void Surroundings::drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer) {

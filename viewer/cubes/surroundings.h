@@ -35,12 +35,12 @@ enum class Reflecting : std::uint8_t {
 class Surroundings final : public TechniquePass {
  public:
   static constexpr int mostNodes = 16;  ///< those of the largest surface
-  static constexpr int mostTried =
-      64;  ///< nodes with lobes, of the largest surface, that are asked what lies around them
+  /// Nodes with lobes, of the largest surface, that are asked what lies around them.
+  static constexpr int mostTried = 64;
   static constexpr int side = 128;        ///< texels of a face
   static constexpr int sideOfRough = 64;  ///< the same where all lobes are wide
-  static constexpr double leastAround =
-      0.1;  ///< share of the directions that others fill about a node with lobes
+  /// Share of the directions that others fill about a node with lobes.
+  static constexpr double leastAround = 0.1;
 
   /// Both outlive it.
   Surroundings(const RenderScene& scene, const CompiledScene& compiled, Reflecting reflecting);
@@ -86,6 +86,7 @@ class Surroundings final : public TechniquePass {
   std::size_t facesOf(std::size_t rounds) const;
   void changed();
   std::size_t draw(std::size_t mostFaces, const PictureState& picture, SceneDrawer& drawer);
+  void blur() const;
   void drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer);
   void drawInside(std::size_t place);
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "scene/compile/compile_parts.h"
+
 namespace prelight::viewer {
 namespace {
 
@@ -23,10 +25,6 @@ std::array<std::uint32_t, 4> bitsOf(const glm::vec3& v, std::uint32_t last = 0) 
 template <std::size_t count>
 void append(std::vector<std::uint32_t>& to, const std::array<std::uint32_t, count>& bits) {
   to.insert(to.end(), bits.begin(), bits.end());
-}
-
-std::uint32_t wrapOf(WrapMode mode) {
-  return mode == WrapMode::ClampToEdge ? 1u : mode == WrapMode::MirroredRepeat ? 2u : 0u;
 }
 
 std::vector<glm::vec3> cornersOf(const CompiledScene& scene) {
@@ -80,9 +78,9 @@ class Holes {
     if (image.rgba.empty()) return {};
     const auto [place, isNew] = firstOf_.try_emplace(use.image, static_cast<std::uint32_t>(alphas.size()));
     for (std::size_t i = 3; isNew && i < image.rgba.size(); i += 4) alphas.push_back(image.rgba[i]);
-    return {
-        place->second, static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height),
-        wrapOf(use.wrapS) | wrapOf(use.wrapT) << 2 | (use.filter == TextureFilter::Nearest ? noFilter : 0u)};
+    return {place->second, static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height),
+            deviceWrap(use.wrapS) | deviceWrap(use.wrapT) << 2 |
+                (use.filter == TextureFilter::Nearest ? noFilter : 0u)};
   }
 
   const CompiledScene& scene_;
@@ -123,11 +121,7 @@ void setBlending(bool radiance) {
 }  // namespace
 
 DiscPictures::DiscPictures(const CompiledScene& scene, bool orthographic, int side, float farthest)
-    : orthographic_(orthographic),
-      side_(side),
-      farthest_(farthest),
-      triangles_(scene.triangleCount()),
-      program_("disc.vert", "disc.frag") {
+    : side_(side), triangles_(scene.triangleCount()), program_("disc.vert", "disc.frag") {
   const std::vector<glm::vec3> corners = cornersOf(scene);
   corners_ =
       gl::makeBufferTexture(std::span<const glm::vec3>(corners), 1, GL_RGB32F, "triangles of drawn views");
@@ -143,6 +137,7 @@ DiscPictures::DiscPictures(const CompiledScene& scene, bool orthographic, int si
                                    std::pair{"holes", holesUnit}, std::pair{"alphas", alphasUnit}})
     program_.set(name, unit);
   program_.set("orthographic", orthographic ? 1 : 0);
+  program_.set("farthest", farthest);
 }
 
 void DiscPictures::setRadiance(std::span<const glm::vec3> radiance) {
@@ -156,7 +151,6 @@ void DiscPictures::draw(const gl::Framebuffer& atlas, std::span<const DiscReceiv
   const gl::BufferTexture uploaded = uploadReceivers(receivers);
   program_.use();
   program_.set("showsRadiance", radiance ? 1 : 0);
-  program_.set("farthest", farthest_);
   for (const auto& [unit, texture] :
        {std::pair{cornersUnit, &corners_}, std::pair{receiversUnit, &uploaded}, std::pair{holedUnit, &holed_},
         std::pair{radianceUnit, &radiance_}, std::pair{holesUnit, &holes_}, std::pair{alphasUnit, &alphas_}})

@@ -41,9 +41,7 @@ class DiscPictures {
  private:
   void drawAll(int atlasSide, std::size_t count) const;
 
-  bool orthographic_;
   int side_;
-  float farthest_;
   std::size_t triangles_;
   gl::Program program_;
   gl::VertexArray noVertices_;

@@ -1,6 +1,5 @@
 #include "viewer/techniques/glossy/matrix_visibility.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "basis/quadrature.h"
