@@ -195,14 +195,14 @@ const PlotKind& kindOf(const std::string& name) {
 void refuseOthers(const PlotKind& kind, const PlotCommand& command, const CLI::App& app) {
   if (!command.file.empty() && !kind.takesFile)
     throw UsageError("FILE", fmt::format("plot {} takes no file, got {}", kind.name, command.file.string()));
-  for (const char* option :
-       {"--order", "--face-size", "--terms", "--env", "--sky-lights", "--lobe", "--roughness", "--vertex"}) {
-    const bool takes = std::any_of(kind.options.begin(), kind.options.end(),
-                                   [&](const char* taken) { return std::string_view(taken) == option; });
-    if (app.count(option) > 0 && !takes)
-      throw UsageError(option, fmt::format("plot {} does not take it", kind.name),
-                       fmt::format("it takes {}", fmt::join(kind.options, ", ")));
-  }
+  for (const PlotKind& other : plotKinds())
+    for (const char* option : other.options) {
+      const bool takes = std::any_of(kind.options.begin(), kind.options.end(),
+                                     [&](const char* taken) { return std::string_view(taken) == option; });
+      if (app.count(option) > 0 && !takes)
+        throw UsageError(option, fmt::format("plot {} does not take it", kind.name),
+                         fmt::format("it takes {}", fmt::join(kind.options, ", ")));
+    }
 }
 
 void runPlot(const PlotCommand& command, const CLI::App& app, Context& context) {

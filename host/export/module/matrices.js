@@ -34,7 +34,7 @@ const product = (m, n) => [0, 3, 6].flatMap(k => times(m, n.slice(k, k + 3)));
 const determinant = m => dot(m.slice(0, 3), cofactors(m).slice(0, 3));
 const inverse = m => transposed(cofactors(m)).map(x => x / determinant(m));
 
-// The rotation nearest to a linear map (host/techniques/sh/animated_transfer.cpp); the identity where that flattens or mirrors.
+// The rotation nearest to a linear map (host/techniques/sh/vertex_turns.cpp); the identity where that flattens or mirrors.
 function rotationOf(map) {
   const identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
   let rotation = map;

@@ -1,7 +1,6 @@
 #include "techniques/sh/bent_transfer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "base/parallel.h"

@@ -127,7 +127,7 @@ float diskInTheOpen(float cosine, float bands[maxTransferOrder]) {
   return 0.0795774715 * sum;  // 1 / (4 pi)
 }
 
-// A lamp's light at a receiver: lampThroughTransfer() of viewer/lights/receiver_lamps.cpp.
+// A lamp's light at a receiver: lampThroughTransfer() of host/basis/lights/lamp_through_transfer.h.
 vec3 lampThrough(Light light, int vertex, vec3 point, vec3 normal, int row) {
   vec3 toLight;
   vec3 irradiance = perpendicularIrradiance(light, point, toLight);

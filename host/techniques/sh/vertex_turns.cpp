@@ -77,7 +77,6 @@ std::vector<glm::dmat3> vertexTurns(const CompiledScene& from, const CompiledSce
   std::vector<glm::dmat3> turns(edges.size(), glm::dmat3(1.0));
   for (std::size_t v = 0; v < edges.size(); ++v) {
     const glm::dvec3 before(from.normals[v]), after(to.normals[v]);
-    const glm::dmat3 turned = swing(before, after);
     const Edges& sums = edges[v];
     const double scale = std::sqrt(sums.square * sums.otherSquare);
     // Edges may lie in one plane, so the normal counts as much as they do.
@@ -85,7 +84,7 @@ std::vector<glm::dmat3> vertexTurns(const CompiledScene& from, const CompiledSce
     const glm::dmat3 squares = sums.squares + sums.square * glm::outerProduct(before, before);
     const bool known = glm::determinant(squares) > 1e-9 * sums.square * sums.square * sums.square &&
                        glm::determinant(products) > 1e-9 * scale * scale * scale;
-    turns[v] = known ? rotationOf(glm::dmat4(products * glm::inverse(squares))) : turned;
+    turns[v] = known ? rotationOf(glm::dmat4(products * glm::inverse(squares))) : swing(before, after);
   }
   return turns;
 }
