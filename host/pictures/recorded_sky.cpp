@@ -75,13 +75,18 @@ std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const LoadedScene&
                     .rotation = recorded->rotation};
 }
 
-void warnOfOtherSky(DrawingSession& session, const LoadedScene& loaded, const Environment& sky,
-                    double rotation) {
+bool isSkyOfBake(const LoadedScene& loaded, const Environment* sky, double turn) {
   constexpr double alike = 1e-6;
   const std::optional<BakedSky> recorded = readBakedSky(*loaded.document);
-  if (!recorded) return;
-  const bool turned = std::abs(std::remainder(rotation - recorded->rotation, 2.0 * std::numbers::pi)) > alike;
-  if (skyHash(sky) == recorded->hash && !turned) return;
+  if (!recorded || sky == nullptr) return !recorded && sky == nullptr;
+  const double difference = std::remainder(turn - recorded->rotation, 2.0 * std::numbers::pi);
+  return skyHash(*sky) == recorded->hash && std::abs(difference) <= alike;
+}
+
+void warnOfOtherSky(DrawingSession& session, const LoadedScene& loaded, const Environment& sky,
+                    double rotation) {
+  const std::optional<BakedSky> recorded = readBakedSky(*loaded.document);
+  if (!recorded || isSkyOfBake(loaded, &sky, rotation)) return;
   session.warn(fmt::format(
       "{}: its light was baked under {} and does not change with the sky; bake it anew for other light",
       loaded.path.string(), textOf(*recorded)));

@@ -13,6 +13,9 @@ namespace prelight::pictures {
 /// nothing if the file records none.
 std::optional<PictureSky> bakedSkyOf(DrawingSession& session, const LoadedScene& loaded);
 
+/// Whether a sky, nullptr for none, is the one that a file's light was baked under. `turn`: radians about +Y.
+bool isSkyOfBake(const LoadedScene& loaded, const Environment* sky, double turn);
+
 /// Warns if a picture shows another sky than the one that its light was baked under. `rotation` is the
 /// picture's, in radians.
 void warnOfOtherSky(DrawingSession& session, const LoadedScene& loaded, const Environment& sky,

@@ -13,6 +13,7 @@
 #include "pictures/recorded_sky.h"
 #include "pictures/session/stale_bake.h"
 #include "pictures/shading_checks.h"
+#include "pictures/shading_choice.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::pictures {
@@ -134,9 +135,13 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   checkOutputs();
 
   viewer::RenderOptions& render = shaded.render = asked.render;
+  const viewer::LightOfPicture light =
+      lightOfPicture(asked, shaded.loaded, shaded.environment ? &*shaded.environment : nullptr,
+                     asked.render.skyRotation + sky.rotation);
   render.shading = asked.shading.value_or(asked.objects.any() ? shadingAmong(asked.objects, shaded.bake)
-                                          : asked.encoding != nullptr ? viewer::Shading::LightMap
-                                                                      : viewer::carriedShading(shaded.bake));
+                                          : asked.encoding != nullptr
+                                              ? viewer::Shading::LightMap
+                                              : chooseShading(asked, shaded.loaded, shaded.bake, light));
   checkAreaLights(asked, render.shading, everyShading, shaded.bake);
   shaded.encoding = asked.encoding;
   checkEncoding(asked.scene, shaded.bake, render.shading, shaded.encoding);

@@ -28,6 +28,7 @@ struct ShadingTraits {
   bool bounces = false;              ///< bounces of a bake add to its light
   bool bakedForWindows = false;      ///< windows bake it without being asked
   bool skyLampsApart = false;        ///< lamps are taken out of a sky and shine as lights
+  bool shadowsOfItsOwn = false;      ///< its data know what shadows lamps anywhere
   bool areaLightsAsSamples = false;  ///< it knows no area lights
   bool accessibility = false;        ///< it knows how open surfaces are
   bool tellsOpenSky = false;         ///< its data tell others how open the sky is
@@ -36,6 +37,14 @@ struct ShadingTraits {
   bool movableNodes = false;         ///< windows let the user move nodes in it
   bool objectsInCubes = false;       ///< placed objects can be lit by cube maps of what lies around them
   bool relitOnDevice = false;        ///< an OpenCL device multiplies its transfer by the light
+};
+
+/// The relMSE of a shading's pictures against all light, as measured over the built-in scenes
+/// (docs/shading.md), by what lights them.
+struct ExpectedError {
+  float sky = 1.0f;
+  float outside = 1.0f;  ///< lamps outside of the scene
+  float inside = 1.0f;   ///< lamps and emissive surfaces within it
 };
 
 /// Numbers that a bake holds for each vertex, in rows one behind the other.
@@ -54,6 +63,7 @@ struct ShadingInfo {
   std::string_view bakedName = {};  ///< what the bake holds then, as texts name it
   DrawingRules rules = {};
   ShadingTraits traits = {};
+  ExpectedError error = {};
 
   /// Whether a bake has all that it needs. No bake has what a shading of all light needs.
   bool (*carriedBy)(const Bake&) = [](const Bake&) { return true; };

@@ -1,6 +1,7 @@
 #include "viewer/core/shading.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "base/text.h"
@@ -26,9 +27,25 @@ Shading parseShading(std::string_view name) {
                    didYouMean(name, names) + "one of: " + shadingNames());
 }
 
-Shading carriedShading(const Bake& bake) {
-  return *std::ranges::find_if(shadingsByPreference(),
-                               [&](Shading shading) { return infoOf(shading).carriedBy(bake); });
+float expectedError(Shading shading, const LightOfPicture& light) {
+  const ShadingInfo& info = infoOf(shading);
+  if (info.traits.bakedLight && !light.asBaked) return 1.0f;
+  float error = light.sky || (!light.outside && !light.inside) ? info.error.sky : 0.0f;
+  if (light.outside) error = std::max(error, info.error.outside);
+  return light.inside ? std::max(error, info.error.inside) : error;
+}
+
+Shading carriedShading(const Bake& bake, const LightOfPicture& light) {
+  Shading best = Shading::Phong;
+  float least = std::numeric_limits<float>::infinity();
+  for (const Shading shading : shadingsByPreference()) {
+    const ShadingInfo& info = infoOf(shading);
+    const float error = expectedError(shading, light);
+    if (info.bakeOption.empty() || !info.carriedBy(bake) || error >= least) continue;
+    best = shading;
+    least = error;
+  }
+  return best;
 }
 
 }  // namespace prelight::viewer

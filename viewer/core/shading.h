@@ -29,7 +29,18 @@ std::string shadingNames();
 /// Throws UsageError naming the known ones.
 Shading parseShading(std::string_view name);
 
-/// The best shading that a bake carries.
-Shading carriedShading(const Bake& bake);
+/// What lights a picture, as far as its best shading depends on it.
+struct LightOfPicture {
+  bool sky = true;
+  bool outside = false;  ///< lamps outside of the scene
+  bool inside = false;   ///< lamps or emissive surfaces within it
+  bool asBaked = true;   ///< lights, sky and objects are those that the file's bake was made with
+};
+
+/// The relMSE that pictures of a shading are expected to have in a light.
+float expectedError(Shading shading, const LightOfPicture& light);
+
+/// The shading of least expected error of those that a bake carries; Phong where it carries none.
+Shading carriedShading(const Bake& bake, const LightOfPicture& light);
 
 }  // namespace prelight::viewer

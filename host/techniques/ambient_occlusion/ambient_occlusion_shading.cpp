@@ -30,6 +30,7 @@ extern const ShadingInfo aoShading = {
                .accessibility = true,
                .tellsOpenSky = true,
                .creaseCorrection = true},
+    .error = {.sky = 0.07f, .outside = 0.024f, .inside = 0.066f},
     .carriedBy = [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
     .askedBy = [](const BakeRequest& request) { return request.ao; },
     .addTo = [](BakeRequest& request, const BakeRequest&) { request.ao = true; },

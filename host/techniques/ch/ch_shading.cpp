@@ -15,6 +15,7 @@ extern const ShadingInfo chShading = {
     .bakedName = "CH transfer",
     .rules = throughTransfer,
     .traits = {.bounces = true, .skyLampsApart = true},
+    .error = {.sky = 0.022f, .outside = 0.081f, .inside = 0.061f},
     .carriedBy = [](const Bake& bake) { return bake.ch.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.ch.order > 0; },
     .addTo =

@@ -23,6 +23,7 @@ extern const ShadingInfo glossyShading = {
     .bakedName = "glossy transfer",
     .rules = {Ambient::Transferred, Reflection::Transfer, Through::FarLights},
     .traits = {.bounces = true, .skyLampsApart = true, .relitOnDevice = true},
+    .error = {.sky = 0.021f, .outside = 0.05f, .inside = 0.06f},
     .carriedBy = [](const Bake& bake) { return bake.glossy.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.glossy.order > 0; },
     .addTo =

@@ -21,6 +21,7 @@ extern const ShadingInfo haarShading = {
     .bakedName = "wavelet transfer",
     .rules = throughTransfer,
     .traits = {.bounces = true, .relitOnDevice = true},
+    .error = {.sky = 0.024f, .outside = 0.05f, .inside = 0.062f},
     .carriedBy = [](const Bake& bake) { return bake.haar.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.haar.size > 0; },
     .addTo =

@@ -23,6 +23,7 @@ extern const ShadingInfo horizonsShading = {
     .bakedName = "horizons",
     .rules = {{"horizons_ambient.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.skyLampsApart = true, .accessibility = true},
+    .error = {.sky = 0.05f, .outside = 0.024f, .inside = 0.063f},
     .carriedBy = [](const Bake& bake) { return bake.horizons.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.horizons.sectors > 0; },
     .addTo =

@@ -17,6 +17,7 @@ extern const ShadingInfo lightMapShading = {
     .bakedName = "light map",
     .rules = {{"light_map_ambient.glsl", true}, Reflection::Metals, Through::AllLights},
     .traits = {.bakedLight = true},
+    .error = {.sky = 0.004f, .outside = 0.003f, .inside = 0.004f},
     .carriedBy = [](const Bake& bake) { return bake.lightMap.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.lightMap.wanted; },
     .addTo =

@@ -11,6 +11,7 @@ extern const ShadingInfo conesShading = {
     .bakedName = "cones",
     .rules = {{"cone_ambient.glsl"}, Reflection::Everywhere, Through::None},
     .traits = {.skyLampsApart = true, .accessibility = true, .creaseCorrection = true},
+    .error = {.sky = 0.06f, .outside = 0.024f, .inside = 0.064f},
     .carriedBy =
         [](const Bake& bake) {
           return !bake.ao.empty() && !bake.bentNormals.empty() && !bake.apertures.empty();

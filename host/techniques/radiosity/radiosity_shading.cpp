@@ -10,6 +10,7 @@ extern const ShadingInfo radiosityShading = {
     .bakedName = "radiosity",
     .rules = {Ambient::Transferred, Reflection::Metals, Through::AllLights},
     .traits = {.bakedLight = true},
+    .error = {.sky = 0.018f, .outside = 0.035f, .inside = 0.018f},
     .carriedBy = [](const Bake& bake) { return bake.irradiance.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.radiosity.wanted; },
     .addTo =

@@ -33,6 +33,7 @@ extern const ShadingInfo shShading = {
                .skyLampsApart = true,
                .followsAnimation = true,
                .objectsInCubes = true},
+    .error = {.sky = 0.02f, .outside = 0.08f, .inside = 0.06f},
     .carriedBy = [](const Bake& bake) { return bake.sh.has_value() || bake.compressedSh.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.sh.order > 0; },
     .addTo =

@@ -41,6 +41,7 @@ extern const ShadingInfo thicknessShading = {
     .bakeOption = "thickness",
     .bakedName = "thickness",
     .rules = {{"thickness_ambient.glsl"}, Reflection::Everywhere, Through::None},
+    .error = {.sky = 0.1f, .outside = 0.1f, .inside = 0.1f},
     .carriedBy = [](const Bake& bake) { return !bake.thickness.empty(); },
     .askedBy = [](const BakeRequest& request) { return request.thickness; },
     .addTo = [](BakeRequest& request, const BakeRequest&) { request.thickness = true; },

@@ -30,7 +30,11 @@ extern const ShadingInfo occluderShading = {
     .bakeOption = "vo",
     .bakedName = "vector occluders",
     .rules = {Ambient::Transferred, Reflection::Metals, Through::AllLights},
-    .traits = {.areaLightsAsSamples = true, .followsAnimation = true, .movableNodes = true},
+    .traits = {.shadowsOfItsOwn = true,
+               .areaLightsAsSamples = true,
+               .followsAnimation = true,
+               .movableNodes = true},
+    .error = {.sky = 0.03f, .outside = 0.02f, .inside = 0.065f},
     .carriedBy = [](const Bake& bake) { return bake.occluders.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.occluders.wanted; },
     .addTo =
