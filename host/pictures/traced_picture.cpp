@@ -23,6 +23,18 @@ std::vector<Light> placeLamps(DrawingSession& session, const PictureRequest& ask
   return lights;
 }
 
+/// Multiplies the parts of a picture by their factors, and adds to the picture what that changes.
+void weighParts(const viewer::LayerFactors& factors, std::span<PartPicture> parts, Picture& picture) {
+  for (PartPicture& part : parts) {
+    const float factor = viewer::factorOf(factors, part.part);
+    if (factor == 1.0f) continue;
+    for (std::size_t i = 0; i < part.pixels.size(); ++i) {
+      picture.pixels[i] = glm::max(picture.pixels[i] + (factor - 1.0f) * part.pixels[i], 0.0f);
+      part.pixels[i] *= factor;
+    }
+  }
+}
+
 }  // namespace
 
 FullRequest fullRequest(const FullOptions& options) {
@@ -104,6 +116,7 @@ TracedPicture tracePicture(DrawingSession& session, const PictureRequest& asked,
                                     session.progress(), made.report);
   });
   denoising.apply(session, made.report.guides, DenoiseEffort::Quick, made.layered.picture);
+  weighParts(asked.render.layers, made.report.parts, made.layered.picture);
   addLayers(made.report.parts, made.layered.layers);
   return made;
 }

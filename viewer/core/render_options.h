@@ -5,6 +5,7 @@
 
 #include "prelight/scene.h"
 #include "prelight/shading.h"
+#include "viewer/core/layer_factors.h"
 #include "viewer/core/occlusion_options.h"
 #include "viewer/core/shading.h"
 
@@ -26,6 +27,7 @@ struct RenderOptions : ShadingOptions {
   bool emitters = true;                      ///< emissive triangles light the scene
   Lobe lobe = Lobe::Ggx;                     ///< of glossy shading, and of lights in Phong's
   std::vector<GroupFactor> groups;           ///< of lights shading; those not named shine as in the file
+  LayerFactors layers = wholePicture;        ///< of the picture's parts
   bool layersOfFrames = false;               ///< sequences have the layers of each picture
   int samplesPerAxis = 2;                    ///< supersampling: this squared per pixel, box filtered; 1..8
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "prelight/scene.h"
+#include "viewer/core/layer_factors.h"
 #include "viewer/core/render_options.h"
 
 namespace prelight::viewer {
@@ -26,6 +27,7 @@ struct View : ShadingOptions {
   double skyRotation = 0.0;  ///< radians about +Y
   std::vector<Light> lights;
   bool emitters = true;
+  LayerFactors layers = wholePicture;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool hidesProbes = false;             ///< where there are some
   bool draft = false;                   ///< while something moves: fewer samples of large lights

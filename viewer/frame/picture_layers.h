@@ -5,15 +5,11 @@
 #include <vector>
 
 #include "images/picture_parts.h"
+#include "viewer/core/layer_factors.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/core/view_state.h"
 
 namespace prelight::viewer {
-
-/// A layer of a drawn picture, as `shownLayer` of shaders/parts.glsl: the number of a PicturePart, or how
-/// open surfaces are.
-using DrawnLayer = int;
-constexpr DrawnLayer accessibilityLayer = static_cast<DrawnLayer>(pictureParts);
 
 /// The parts that pictures of a view are sums of, and their accessibility where the shading has one.
 std::vector<DrawnLayer> layersOf(const View& view, const RenderInputs& inputs);

@@ -15,6 +15,10 @@ constexpr int turnsInDrafts = 2;      ///< of pixels with samples of lights, as 
 
 void nobody(const DrawnPass&) {}
 
+bool showsAccessibility(const BatchLook& look) {
+  return look.variant.showsParts && look.factors[accessibilityLayer] > 0.0f;
+}
+
 }  // namespace
 
 Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
@@ -70,8 +74,9 @@ std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   Features known;
   for (const TechniquePass* pass : drawing.passes) pass->addFeatures(known);
   const bool allReflect =
-      (known.has(Feature::LocalReflections) && hasLayers) || rules.reflection == Reflection::Everywhere ||
-      batches_.anySurfaceHas(Feature::Gloss) || (rules.reflection == Reflection::Transfer && hasLayers);
+      ((known.has(Feature::LocalReflections) || known.has(Feature::ShadowMaps)) && hasLayers) ||
+      rules.reflection == Reflection::Everywhere || batches_.anySurfaceHas(Feature::Gloss) ||
+      (rules.reflection == Reflection::Transfer && hasLayers);
   std::erase_if(lights, [&](const ShadedLight& source) {
     if (allReflect || (source.ofSky && hasLayers)) return false;
     return rules.through == Through::AllLights ||
@@ -195,7 +200,7 @@ Illumination Renderer::illuminationOf(const View& view) {
     sky_.makeLobes();
   light.lights = lights_.of(view, sky_.seenBy(view));
   updateLampTables();
-  for (TechniquePass* pass : passesOf(view.shading)) pass->shadow(light.lights);
+  for (TechniquePass* pass : passesOf(view.shading)) pass->shadow(view, light.lights);
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
   light.horizonSoftness = view.horizonSoftness;
@@ -264,8 +269,8 @@ void Renderer::bindTextures(const View& view) const {
 void Renderer::clearToSky(const View& view, const BatchLook& look) const {
   const Environment* sky = sky_.seenBy(view).map;
   glm::vec3 color = sky != nullptr ? sky->radiance.front() : glm::vec3(0.0f);
-  if (look.variant.showsParts && look.shownLayer != static_cast<DrawnLayer>(PicturePart::Emitted))
-    color = glm::vec3(look.shownLayer == accessibilityLayer ? 1.0f : 0.0f);
+  if (look.variant.showsParts)
+    color = showsAccessibility(look) ? glm::vec3(1.0f) : factorOf(look.factors, PicturePart::Emitted) * color;
   glClearColor(color.r, color.g, color.b, skyDistance);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
@@ -288,6 +293,7 @@ void Renderer::drawFace(const PictureState& picture, const SceneFace& face, cons
   View seen = picture.view;
   seen.camera = face.camera;
   seen.width = seen.height = face.side;
+  seen.layers = wholePicture;
   const PictureState shown{seen, picture.light, picture.transfer, picture.pace, nobody};
   drawScene({shown, passesOf(seen.shading), face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side},
             target);
@@ -297,6 +303,8 @@ TileLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> l
   BatchLook look;
   look.shader = drawnShadingOf(drawing.picture.view.shading).shader;
   look.variant = variantOf(drawing, lights);
+  look.factors = drawing.picture.view.layers;
+  look.variant.showsParts = look.factors != wholePicture;
   if (drawing.picture.transfer != nullptr) look.inputs.push_back(drawing.picture.transfer);
   look.inputs.insert(look.inputs.end(), drawing.passes.begin(), drawing.passes.end());
   look.withoutEmission = drawing.withoutEmission;
@@ -363,7 +371,7 @@ void Renderer::drawLayers(const Drawing& drawing, const DrawOrder& order, TileLo
   drawing.layers->drawn(nullptr);
   look.opaque.variant.showsParts = look.blended.variant.showsParts = true;
   for (const DrawnLayer& layer : drawing.layers->layers) {
-    look.opaque.shownLayer = look.blended.shownLayer = layer;
+    look.opaque.factors = look.blended.factors = alone(layer, drawing.picture.view.layers);
     target.bind();
     drawOrdered(drawing, order, look, nobody);
     drawing.layers->drawn(&layer);
@@ -379,8 +387,8 @@ void Renderer::drawOrdered(const Drawing& drawing, const DrawOrder& order, const
   drawBatches(drawing.passes, order.opaque, opaque);
 
   glDepthMask(GL_FALSE);
-  if (!opaque.variant.showsParts || opaque.shownLayer == static_cast<DrawnLayer>(PicturePart::Emitted))
-    batches_.drawBackground(opaque.variant);
+  const float emitted = opaque.variant.showsParts ? factorOf(opaque.factors, PicturePart::Emitted) : 1.0f;
+  if (!showsAccessibility(opaque) && emitted > 0.0f) batches_.drawBackground(opaque.variant, emitted);
   passed({FramePass::Opaque});
 
   glEnable(GL_BLEND);

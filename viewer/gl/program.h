@@ -38,6 +38,9 @@ class Program {
   }
 
   /// The first elements of an array.
+  void set(const char* name, std::span<const float> values) const {
+    glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
+  }
   void set(const char* name, std::span<const glm::vec3> values) const {
     glUniform3fv(location(name), static_cast<GLsizei>(values.size()), &values.front().x);
   }

@@ -16,6 +16,18 @@ float sizeOrFlag(const ShadedLight& light) {
   return light.radius;
 }
 
+constexpr int mostMaps = 256;  ///< of a picture; as lights.glsl has it
+
+/// What shadows the light: shadow maps (< 0, with a quarter more where the transfer holds it, too), the
+/// shells of a near lamp (>= 2), the transfer (1) or nothing.
+float shadowCode(const ShadedLight& light) {
+  if (light.firstMap >= 0)
+    return -static_cast<float>(1 + light.firstMap + mostMaps * (light.maps - 1)) -
+           (light.throughTransfer ? 0.25f : 0.0f);
+  if (light.shadow >= 0) return static_cast<float>(light.shadow + 2);
+  return light.throughTransfer ? 1.0f : 0.0f;
+}
+
 LightBlock pack(const ShadedLight& light) {
   const bool tabled =
       light.kind == LightKind::Profiled || light.kind == LightKind::Area || light.kind == LightKind::Cookie;
@@ -26,10 +38,7 @@ LightBlock pack(const ShadedLight& light) {
                                          : light.leastDistance * light.leastDistance),
           glm::vec4(light.intensity, light.range),
           glm::vec4(tabled ? light.profileStart : light.coneScale,
-                    tabled ? static_cast<float>(light.entry) : light.coneOffset,
-                    light.shadow >= 0       ? static_cast<float>(light.shadow + 2)
-                    : light.throughTransfer ? 1.0f
-                                            : 0.0f,
+                    tabled ? static_cast<float>(light.entry) : light.coneOffset, shadowCode(light),
                     sizeOrFlag(light))};
 }
 

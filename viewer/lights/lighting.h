@@ -66,6 +66,8 @@ struct ShadedLight {
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
   /// light's. True for directional lights and those outside the scene's bounds.
   bool throughTransfer = false;
+  int firstMap = -1;      ///< the light's first shadow map of the ShadowMapPass; -1: it has none
+  int maps = 0;           ///< of parts of the light, one behind the other
   int shadow = -1;        ///< which of the NearLampPass' shadows is the light's; -1: none
   bool isSample = false;  ///< one of many that stand for a large light; such come after all others
 

@@ -46,6 +46,11 @@ constexpr std::array<Choice, 2> filters = {
     {{"cone", "the cone about the bent normal that has this accessibility"},
      {"cosine", "the whole cosine lobe"}}};
 
+constexpr std::array<Choice, 3> lampShadows = {
+    {{"auto", "what is baked for the shading, and shadow maps for lamps that it knows nothing of"},
+     {"maps", "shadow maps for all lamps"},
+     {"baked", "what is baked for the shading, and none where it knows nothing"}}};
+
 constexpr std::array<Choice, 6> occlusionMethods = {
     {{"ssao", "with points"},
      {"hbao", "with horizons"},
@@ -96,6 +101,9 @@ using Effects = OccluderEffects;
 
 /// The order is that of the window and of the command line's help.
 constexpr auto shadingRows = std::to_array<Option<ShadingOptions>>({
+    Row::choice<&ShadingOptions::direct>(lampShadows, {.field = "RenderOptions::direct",
+                                                       .name = "direct",
+                                                       .help = "what shadows lamps and the sun of a sky"}),
     Row::number<&ShadingOptions::haarTerms>(
         whole(1, mostHaarTerms, "all"),
         {.field = "RenderOptions::haarTerms",

@@ -36,7 +36,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
       program.use();
       program.set("causticCorner", look.causticCorner);
       program.set("layer", look.layer);
-      if (variant.showsParts) program.set("shownLayer", look.shownLayer);
+      if (variant.showsParts) program.set("partFactors", std::span<const float>(look.factors));
       program.set("knowsThrough", 0);
       for (const SurfaceInput* input : look.inputs) input->bind(program);
       used = &program;
@@ -72,13 +72,15 @@ void BatchDrawer::drawDepths(const std::vector<const Batch*>& batches) {
   glBindVertexArray(0);
 }
 
-void BatchDrawer::drawBackground(const ShaderVariant& variant) {
+void BatchDrawer::drawBackground(const ShaderVariant& variant, float factor) {
   glDisable(GL_CULL_FACE);
   ShaderVariant needed;
   for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
     needed.features.add(feature, variant.features.has(feature));
   if (!needed.features.has(Feature::SkyMap)) return;
-  programs_.background(needed).use();
+  const gl::Program& program = programs_.background(needed);
+  program.use();
+  program.set("emitted", factor);
   glBindVertexArray(noVertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "viewer/core/layer_factors.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/programs/surface_input.h"
 #include "viewer/programs/surface_programs.h"
@@ -17,9 +18,9 @@ struct BatchLook {
   std::vector<const SurfaceInput*> inputs;  ///< in the order in which they are bound
   bool withoutEmission = false;             ///< what gives light is not seen
   glm::ivec4 causticCorner{0};              ///< of surface.frag
-  int layer = 0;             ///< of screen_surface.frag; those behind the first have backs, too
-  bool depthsFirst = false;  ///< nothing hidden is shaded
-  int shownLayer = 0;        ///< of the picture, where the variant shows parts
+  int layer = 0;                        ///< of screen_surface.frag; those behind the first have backs, too
+  bool depthsFirst = false;             ///< nothing hidden is shaded
+  LayerFactors factors = wholePicture;  ///< of the picture's layers, where the variant shows parts
 };
 
 /// Draws the surfaces of a scene with the programs that they need.
@@ -43,7 +44,7 @@ class BatchDrawer {
   void drawDepths(const std::vector<const Batch*>& batches);
 
   /// Draws the sky behind opaque surfaces, unless it is the colour that the picture was cleared to.
-  void drawBackground(const ShaderVariant& variant);
+  void drawBackground(const ShaderVariant& variant, float factor);
 
  private:
   const RenderScene& scene_;

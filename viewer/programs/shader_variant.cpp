@@ -53,6 +53,7 @@ constexpr std::array<NamedFeature, featureCount> featureNames = {{
     {Feature::CookieLights, "hasCookieLights"},
     {Feature::AreaLights, "hasAreaLights"},
     {Feature::NearLamps, "hasNearLamps"},
+    {Feature::ShadowMaps, "hasShadowMaps"},
 }};
 static_assert(followsOrder(featureNames, &NamedFeature::feature));
 

@@ -54,8 +54,9 @@ enum class Feature : int {
   EmitterLights,
   CookieLights,  ///< spot lights that project a picture
   AreaLights,
-  NearLamps,  ///< lights have shadows of a NearLampPass
-  Count,      ///< their number, no feature
+  NearLamps,   ///< lights have shadows of a NearLampPass
+  ShadowMaps,  ///< lights have shadows of a ShadowMapPass
+  Count,       ///< their number, no feature
 };
 
 constexpr int featureCount = static_cast<int>(Feature::Count);
@@ -109,7 +110,7 @@ struct ShaderVariant {
   int aoCorrection = 0;     ///< AoCorrection of render.h
   int aoFilter = 0;         ///< AoFilter of render.h
   bool phongLobe = false;   ///< lights are reflected by a power of the cosine
-  bool showsParts = false;  ///< it draws one layer at a time (picture_layers.h)
+  bool showsParts = false;  ///< its parts have factors (viewer/core/layer_factors.h)
   LightCounts lights;
   Features features;
 

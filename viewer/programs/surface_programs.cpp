@@ -83,6 +83,8 @@ const gl::Program& SurfacePrograms::of(const std::string& vertexFile, const std:
       {"ambient.glsl", shaderSources().at(std::string(variant.rules.ambient.file))}};
   if (variant.features.has(Feature::LocalReflections))
     texts["around.glsl"] = shaderSources().at("local_reflections.glsl");
+  if (variant.features.has(Feature::ShadowMaps))
+    texts["lamp_maps.glsl"] = shaderSources().at("mapped_lamps.glsl");
   if (encoding_ != nullptr) texts["encoding.glsl"] = std::string(encoding_->shader);
   gl::Program program(vertexFile, fragmentFile, texts);
   prepare(program);

@@ -79,7 +79,7 @@ class SceneDrawer {
 class TechniquePass : public SurfaceInput {
  public:
   /// Gives lights the shadows that it knows, and makes these ready.
-  virtual void shadow(std::vector<ShadedLight>& /*lights*/) {}
+  virtual void shadow(const View&, std::vector<ShadedLight>& /*lights*/) {}
 
   /// Gives samples of lights that stand for those of shadow() the same shadows.
   virtual void shadowSamples(std::span<const ShadedLight> /*lights*/,

@@ -7,7 +7,8 @@ uniform TEXELS lampTables;  // LampTables
 #include "cookies.glsl"
 
 int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
-bool isFar(Light light) { return light.cone.z > 0.5 && light.cone.z < 1.5; }
+bool isFar(Light light) { return light.cone.z > 0.0 ? light.cone.z > 0.5 && light.cone.z < 1.5 : fract(-light.cone.z) > 0.1; }
+bool isMapped(Light light) { return hasShadowMaps && light.cone.z < -0.5; }  // it has shadow maps
 int shadowOf(Light light) { return int(light.cone.z + 0.5) - 2; }  // of NearLampPass; < 0: none
 
 bool isArea(Light light) { return hasAreaLights && kindOf(light) == kindArea; }

@@ -17,9 +17,9 @@ struct Place {
   float left;    // what coat and sheen leave of it to what lies below them
 };
 
-// Through diffuse transfer, plain dielectrics reflect no lamps, of which they would show highlights without shadows, but where what lies
-// around is known.
-const bool layerReflectsLamps = hasLayer && (hasFurtherLobes || reflectionRule != reflectionOffMetals);
+// Through diffuse transfer, plain dielectrics reflect no lamps, of which they would show highlights without shadows, but where shadow
+// maps or what lies around are known.
+const bool layerReflectsLamps = hasLayer && (hasFurtherLobes || hasShadowMaps || reflectionRule != reflectionOffMetals);
 const bool reflectsLamps = !isSender && (hasGloss || layerReflectsLamps || (hasLayer && hasLocalReflections));
 const float leastRoughness = 0.0447213595;  // its square: 0.002
 

@@ -29,6 +29,7 @@ const bool bouncesLater = hasGloss || hasLayer;
 #include "sky.glsl"
 #include "around.glsl"
 #include "glossy.glsl"
+#include "lamp_maps.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -65,9 +66,10 @@ const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucenc
                                 reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
 
 // Irradiance of a sample of an emissive surface.
-vec3 sampleIrradiance(Light light, vec3 n) {
-  vec3 facing = facingIrradianceOfEmitter(light, vPosition, n);
-  return facing == vec3(0.0) ? facing : lampShadow(light) * facing;
+vec3 sampleIrradiance(Light light, Normals n) {
+  vec3 facing = facingIrradianceOfEmitter(light, vPosition, n.bumped);
+  if (facing == vec3(0.0)) return facing;
+  return facing * (isMapped(light) ? lampThroughMaps(light, vPosition, n.geometric) : lampShadow(light));
 }
 
 // Returns a light's irradiance on the bumped surface: none from below the surface.
@@ -109,7 +111,10 @@ vec2 shareOfHighlights(Light light, Place p, bool transferred) {
   vec2 shown = vec2(1.0);
   if (transferred && lampsInLobes == 0) shown -= held;
   if (hasEmitterLights) {  // lobes that see what lies around see emissive surfaces there
-    if (kindOf(light) == kindEmitter) shown *= vec2(1.0) - p.around * (vec2(1.0) - held);
+    if (kindOf(light) == kindEmitter) {
+      shown *= vec2(1.0) - p.around * (vec2(1.0) - held);
+      if (hasShadowMaps && !hasGloss) shown.x *= smoothstep(0.2, 0.4, p.s.roughness);  // a smooth layer would show samples as dots
+    }
   }
   return shown;
 }
@@ -125,16 +130,23 @@ vec3 shadeLight(int k, Light light, Place p, Visibility seen) {
   float radius;
   vec3 irradiance = bumpedIrradianceOn(light, p.n, toLight, radius);
   bool inLobes = reflectionRule == reflectionThroughTransfer && transferred && lampsInLobes != 0;
-  float arriving = inLobes ? vHighlight : lampVisibility(seen, k, light, toLight, radius);
-  if (hasNearLamps || irradiance != vec3(0.0)) arriving *= lampShadow(light);
+  float arriving = 1.0;
+  if (inLobes)
+    arriving = vHighlight;
+  else if (!isMapped(light))
+    arriving = lampVisibility(seen, k, light, toLight, radius);
+  else if (irradiance != vec3(0.0))
+    arriving = dot(p.n.geometric, toLight) > 0.0 ? lampThroughMaps(light, vPosition, p.n.geometric) : 0.0;
+  if (!isMapped(light) && (hasNearLamps || irradiance != vec3(0.0))) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * p.s.diffuse * passedToBody(p, toLight) / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
     vec3 toBack;
     vec3 behind = irradianceOn(light, vPosition, -p.n.bumped, toBack, radius);
+    if (isMapped(light) && behind != vec3(0.0)) behind *= lampThroughMaps(light, vPosition, -p.n.geometric);
     sum += behind * p.s.transmitted * passedToBody(p, toBack) / pi;
   }
   if (!showsLamps(p)) return sum;
-  if (transferred && !inLobes) arriving *= vHighlight;
+  if (transferred && !inLobes && !isMapped(light)) arriving *= vHighlight;
   if (knowsAround(p)) arriving *= lampAround(light, vPosition);
   return sum + arriving * mirroredLight(light, p, irradiance, toLight, shown.x, shown.y);
 }
@@ -153,8 +165,8 @@ vec3 shadeLights(Place p, Visibility seen) {
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
   for (int k = 0; k < sampleCount; ++k)  // which compilers write out, as it is short
-    irradiance += sampleIrradiance(lights[lampCount + k], p.n.bumped);
-  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k) irradiance += sampleIrradiance(lights[k], p.n.bumped);
+    irradiance += sampleIrradiance(lights[lampCount + k], p.n);
+  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k) irradiance += sampleIrradiance(lights[k], p.n);
   return sum + irradiance * p.s.diffuse / pi;
 }
 
@@ -197,7 +209,7 @@ void main() {
   Openness open = opennessHere();
   Visibility seen = visibilityHere(even, open);
   if (hasGloss || hasLayer) p.hidden = hiddenWithoutLamps(p, seen);
-  if (showsParts && shownLayer == partAccessibility) {
+  if (showsAccessibility()) {
     showSurface(vec3(open.accessibility * alpha), distance(eye.xyz, vPosition), vec3(1.0 - alpha));
     return;
   }

@@ -29,6 +29,9 @@ class ShadowMaps {
  public:
   static constexpr std::size_t everything = static_cast<std::size_t>(-1);
 
+  /// Squares of samples of large lights that a picture draws where it spreads such work.
+  static constexpr std::size_t sampleViewsAPicture = 40;
+
   /// Which lights have room in the maps.
   enum class Room { OfThoseThatShine, OfAll };
 

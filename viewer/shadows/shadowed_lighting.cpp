@@ -3,15 +3,8 @@
 #include <string>
 
 namespace prelight::viewer {
-namespace {
-
-/// Squares of samples of large lights that a picture draws where it spreads such work.
-constexpr std::size_t sampleViewsAPicture = 40;
-
-}  // namespace
-
 void ShadowedLighting::prepare(const PictureState& picture) {
-  const std::size_t most = picture.pace.spread ? sampleViewsAPicture : ShadowMaps::everything;
+  const std::size_t most = picture.pace.spread ? ShadowMaps::sampleViewsAPicture : ShadowMaps::everything;
   shadows_.update(scene_, compiled_, picture.light.lights, moved_, {most, picture.view.draft});
   moved_ = false;
   picture.passed({FramePass::ShadowMaps, shadows_.viewsDrawn(), shadows_.texelsDrawn()});

@@ -147,7 +147,7 @@ PlannedPicture estimatePicture(Session& session, const LoadedScene& loaded, cons
 
 /// The request with the parts that the output holds.
 PictureOptions withLayersOf(const std::filesystem::path& output, PictureOptions options) {
-  options.full.parts = takesLayers(output);
+  options.full.parts = takesLayers(output) || options.render.layers != viewer::wholePicture;
   return options;
 }
 

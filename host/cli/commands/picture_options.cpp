@@ -17,6 +17,7 @@
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "viewer/options/group_option.h"
+#include "viewer/options/part_option.h"
 #include "viewer/options/shading_options.h"
 
 namespace prelight::cli {
@@ -40,6 +41,19 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          "lights shading, and radiosity in a window: a factor for a light group's colour, NAME=S or "
          "NAME=R,G,B; repeat it for more groups")
       ->type_name("GROUP")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option_function<std::vector<std::string>>(
+         "--part",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) viewer::setPartFactor(text, options.render.layers);
+         },
+         "factor of a part of the light: NAME=S, of emitted, direct, indirect, caustic, reflected, baked "
+         "(what a "
+         "bake holds of direct and indirect light) or all; repeat it for more parts: --part all=0 --part "
+         "caustic=1 "
+         "shows caustics alone")
+      ->type_name("PART")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addEncodingOption(app, options.encoding);

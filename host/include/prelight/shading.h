@@ -37,6 +37,14 @@ enum class AoFilter : std::uint8_t {
   Cosine,  ///< all of the cosine about the bent normal
 };
 
+/// What shadows lamps and the lamps of skies in shadings that do not show all light.
+enum class LampShadows : std::uint8_t {
+  Auto,   ///< what the shading's own data hold of a lamp, and shadow maps where they hold nothing
+  Maps,   ///< shadow maps for all lamps; light that surfaces send on stays without that of lamps which maps
+          ///< take over
+  Baked,  ///< the shading's own data alone
+};
+
 /// A factor for the colour of the light groups with a name.
 struct GroupFactor {
   std::string name;
@@ -134,6 +142,7 @@ constexpr double defaultHorizonSoftness = 0.035;  ///< 2 degrees
 /// Options of how shadings draw, which may differ from one picture of a scene to the next. Each belongs to
 /// the shadings that it names and is ignored by the others.
 struct ShadingOptions {
+  LampShadows direct = LampShadows::Auto;           ///< all but full and instant
   std::size_t haarTerms = 0;                        ///< haar: coefficients that a light keeps; 0: all
   AoCorrection aoCorrection = AoCorrection::None;   ///< ao and screen
   AoFilter aoFilter = AoFilter::Cone;               ///< ao and screen

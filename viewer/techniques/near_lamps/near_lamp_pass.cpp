@@ -164,7 +164,7 @@ void NearLampPass::choose(std::span<ShadedLight> lights, const CompiledScene& sc
   std::vector<ShadedLight*> lamps;
   SampleGroup samples;
   for (ShadedLight& light : lights)
-    if (!light.throughTransfer) (light.isSample ? samples : lamps).push_back(&light);
+    if (!light.throughTransfer && light.firstMap < 0) (light.isSample ? samples : lamps).push_back(&light);
   int chosen = 0;
   for (ShadedLight* lamp : mostImportant(lamps, mostLamps, scene)) lamp->shadow = chosen++;
   const int left = std::min(lampsAStream, mostLamps - chosen);
@@ -205,7 +205,7 @@ void NearLampPass::setPlaces(std::span<const std::vector<Place>> shadows) {
   program_.set("lampCount", static_cast<int>(shadows.size()));
 }
 
-void NearLampPass::shadow(std::vector<ShadedLight>& lights) {
+void NearLampPass::shadow(const View&, std::vector<ShadedLight>& lights) {
   choose(lights, scene_);
   run(lights);
 }
@@ -245,16 +245,24 @@ namespace {
 
 bool letsFarLightsThrough(Shading shading) { return infoOf(shading).rules.through == Through::FarLights; }
 
-void describeLackOfShadows(Shading shading, const Illumination& light, Warnings& notes) {
-  const bool inside = std::any_of(light.lights.begin(), light.lights.end(), [](const ShadedLight& source) {
-    return !source.throughTransfer && source.shadow < 0;
-  });
-  if (!letsFarLightsThrough(shading) || !inside) return;
-  notes.push_back("emissive surfaces and lights within the scene's bounds shine without shadows in " +
-                  std::string(shadingName(shading)) +
-                  " shading: the transfer cannot tell what is in front of them from what is behind "
-                  "(--shading lights has their shadows, and bake --near-lamps gives some to " +
-                  std::to_string(NearLampPass::mostLamps) + " lamps and parts of emissive surfaces here)");
+void describeLackOfBounces(Shading shading, const Illumination& light, Warnings& notes) {
+  if (!letsFarLightsThrough(shading)) return;
+  const auto isLacking = [](bool mapped) {
+    return [mapped](const ShadedLight& source) {
+      return !source.throughTransfer && source.shadow < 0 && (source.firstMap >= 0) == mapped;
+    };
+  };
+  const std::string name(shadingName(shading));
+  if (std::ranges::any_of(light.lights, isLacking(false)))
+    notes.push_back(
+        "emissive surfaces and lights within the scene's bounds shine without shadows in " + name +
+        " shading: the transfer cannot tell what is in front of them from what is behind (--direct auto "
+        "gives them shadow maps, and bake --near-lamps some to " +
+        std::to_string(NearLampPass::mostLamps) + " lamps and parts of emissive surfaces here)");
+  else if (std::ranges::any_of(light.lights, isLacking(true)))
+    notes.push_back(
+        "surfaces do not send on the light of emissive surfaces and lights within the scene's bounds in " +
+        name + " shading (a file baked with --lightmap or --light-groups has it, and --shading full)");
 }
 
 }  // namespace
@@ -271,7 +279,7 @@ extern const PassRow nearLampRow = {
       return std::make_unique<NearLampPass>(posed ? *inputs.posed->nearLamps : *inputs.bake->nearLamps,
                                             inputs.compiled);
     },
-    .describeLack = describeLackOfShadows,
+    .describeLack = describeLackOfBounces,
 };
 
 }  // namespace prelight::viewer

@@ -35,7 +35,7 @@ class NearLampPass final : public TechniquePass {
   /// Gives other samples of the same surfaces the shadows of the nearest that were chosen.
   static void share(std::span<const ShadedLight> chosen, std::span<ShadedLight> samples);
 
-  void shadow(std::vector<ShadedLight>& lights) override;
+  void shadow(const View&, std::vector<ShadedLight>& lights) override;
   void shadowSamples(std::span<const ShadedLight> lights, std::span<ShadedLight> samples) const override {
     share(lights, samples);
   }

@@ -17,7 +17,7 @@ namespace prelight::viewer {
 extern const DrawnShading drawnAo, drawnCh, drawnCones, drawnFull, drawnGlossy, drawnHaar, drawnHorizons,
     drawnInstant, drawnLightMap, drawnLights, drawnPhong, drawnRadiosity, drawnScreen, drawnSh, drawnVo;
 extern const PassRow causticRow, localReflectionsRow, nearLampRow, objectCubesRow, openSkyRow, screenRow,
-    surroundingsRow;
+    shadowMapRow, surroundingsRow;
 
 namespace {
 
@@ -60,9 +60,9 @@ const std::vector<DrawnShading>& drawnShadings() {
 }
 
 /// Lights are chosen first. Screen shading looks at surfaces as they are drawn with all the rest.
-constexpr std::array<const PassRow*, 7> passes = {
-    &nearLampRow,    &openSkyRow, &surroundingsRow, &localReflectionsRow,
-    &objectCubesRow, &causticRow, &screenRow};
+constexpr std::array<const PassRow*, 8> passes = {
+    &shadowMapRow,        &nearLampRow,    &openSkyRow, &surroundingsRow,
+    &localReflectionsRow, &objectCubesRow, &causticRow, &screenRow};
 
 }  // namespace
 

@@ -117,6 +117,7 @@ class Renderer {
     if (!variant.hasSkyMap || view.sky.isDark) return;
     const program = this.program('fullscreen.vert', 'background.frag', { hasSkyLight: true, hasSkyMap: true });
     program.use();
+    program.set({ emitted: 1 });
     program.bind(this.nothing, { skyMap: view.sky.texture });
     gl.disable(gl.CULL_FACE);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
