@@ -5,6 +5,7 @@
 
 #include "prelight/scene.h"
 #include "prelight/shading.h"
+#include "viewer/core/debug_options.h"
 #include "viewer/core/occlusion_options.h"
 #include "viewer/core/shading.h"
 
@@ -27,6 +28,7 @@ struct RenderOptions : ShadingOptions {
   Lobe lobe = Lobe::Ggx;                     ///< of glossy shading, and of lights in Phong's
   std::vector<GroupFactor> groups;           ///< of lights shading; those not named shine as in the file
   bool layersOfFrames = false;               ///< sequences have the layers of each picture
+  DebugOptions debug;                        ///< view in place of the picture, or over it
   int samplesPerAxis = 2;                    ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 

@@ -56,6 +56,7 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.skyRotation = options.skyRotation;
   view.lights = options.lights.value_or(inputs.scene.lights);
   view.emitters = options.emitters;
+  view.debug = options.debug;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)
     view.groupFactors = groupFactors(namesOf(*inputs.bake->lightGroups), options.groups);
   return view;
