@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -27,7 +28,7 @@ using viewer::RenderInputs;
 using viewer::RenderOptions;
 using viewer::Shading;
 
-constexpr int size = 64;
+constexpr int size = 65;         ///< pixels; edges at halves and quarters pass near their centres
 constexpr float dimmed = 0.35f;  ///< of a picture below marks, as drawMarks() says
 const glm::vec3 none(0.03f);     ///< of what has no texels
 
@@ -121,7 +122,9 @@ void expectMarks(const Picture& marked, const Picture& plain,
         EXPECT_FALSE(isPlain) << "no mark at " << x << ", " << y;
         ++marks;
       }
-      if (distance(x, y) > 2.5 * pixel) EXPECT_TRUE(isPlain) << "a mark at " << x << ", " << y;
+      if (distance(x, y) > 2.5 * pixel) {
+        EXPECT_TRUE(isPlain) << "a mark at " << x << ", " << y;
+      }
     }
   EXPECT_GT(marks, 0);
 }
@@ -145,7 +148,7 @@ TEST_F(DebugViews, Photons_AppearAtTheirProjectedPixels) {
   const std::vector<device::Photon> photons = {{{0.5f, 0.25f, 0.0f}, 0, {2.0f, 1.0f, 0.0f}, 0},
                                                {{-0.75f, -0.5f, 0.0f}, 0, {0.0f, 0.0f, 3.0f}, 0}};
   const viewer::Caustics caustics{photons, {}};
-  inputs_ = quads_.inputs();
+  inputs_.emplace(quads_.inputs());
   inputs_->caustics = &caustics;
   const Picture drawn = draw(DebugView::Photons), plain = draw(DebugView::None);
   test::expectColor(at(drawn, 0.5, 0.25), {0.8, 0.4, 0.0}, 1e-3);
@@ -159,12 +162,11 @@ TEST_F(DebugViews, PhotonBehindASurface_IsHidden) {
   quads_.compile();
   const std::vector<device::Photon> photons = {{{0.5f, 0.25f, -0.2f}, 0, {2.0f, 1.0f, 0.0f}, 0}};
   const viewer::Caustics caustics{photons, {}};
-  inputs_ = quads_.inputs();
+  inputs_.emplace(quads_.inputs());
   inputs_->caustics = &caustics;
-  const Picture drawn = draw(DebugView::Photons);
-  EXPECT_LT(drawn.pixels.size(), std::size_t(size * size + 1));
-  for (const glm::vec3& pixel : drawn.pixels)
-    EXPECT_FLOAT_EQ(pixel.x, pixel.z) << "only the grey surface is seen";
+  const Picture drawn = draw(DebugView::Photons), plain = draw(DebugView::None);
+  for (std::size_t i = 0; i < drawn.pixels.size(); ++i)
+    EXPECT_LT(glm::length(drawn.pixels[i] - dimmed * plain.pixels[i]), 1e-4f) << "pixel " << i;
 }
 
 /// The photon's own cell of 8 x 8 pixels and its neighbours are filtered; what is farther stays as it is.
@@ -173,7 +175,7 @@ TEST_F(DebugViews, CausticCells_AreThoseOfPhotonsAndTheirNeighbours) {
   quads_.compile();
   const std::vector<device::Photon> photons = {{{0.1f, 0.1f, 0.0f}, 0, {1.0f, 1.0f, 1.0f}, 0}};
   const viewer::Caustics caustics{photons, {}};
-  inputs_ = quads_.inputs();
+  inputs_.emplace(quads_.inputs());
   inputs_->caustics = &caustics;
   const Picture drawn = draw(DebugView::CausticCells), plain = draw(DebugView::None);
   int orange = 0, blue = 0;
@@ -245,7 +247,7 @@ TEST_F(DebugViews, Uv_RunsAlongTheTexture) {
   const glm::vec3 here = pixelAt(drawn, 0.2, 0.2);  // in the second eighth of both: light
   EXPECT_NEAR(here.x, 0.2, 1.0 / size);
   EXPECT_NEAR(here.y, 0.2, 1.0 / size);
-  EXPECT_NEAR(pixelAt(drawn, 0.9, 0.2).x, 0.9 * 0.5, 1.0 / size) << "the eighth and the second: dark";
+  EXPECT_NEAR(pixelAt(drawn, 0.8, 0.2).x, 0.5 * 0.8, 1.0 / size) << "the seventh eighth and the second: dark";
 }
 
 TEST_F(DebugViews, Albedo_DependsOnNoLight) {
