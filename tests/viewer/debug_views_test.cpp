@@ -240,16 +240,6 @@ TEST_F(DebugViews, Normals_AreColoursOfTheirAxes) {
   test::expectColor(at(drawn, 0.8, 0.0), glm::vec3(0.0f), 1e-5);
 }
 
-TEST_F(DebugViews, Uv_RunsAlongTheTexture) {
-  addSquare(1.0f);
-  quads_.compile();
-  const Picture drawn = draw(DebugView::Uv);
-  const glm::vec3 here = pixelAt(drawn, 0.2, 0.2);  // in the second eighth of both: light
-  EXPECT_NEAR(here.x, 0.2, 1.0 / size);
-  EXPECT_NEAR(here.y, 0.2, 1.0 / size);
-  EXPECT_NEAR(pixelAt(drawn, 0.8, 0.2).x, 0.5 * 0.8, 1.0 / size) << "the seventh eighth and the second: dark";
-}
-
 TEST_F(DebugViews, Albedo_DependsOnNoLight) {
   addSquare(1.0f, 0.0, {0.2f, 0.5f, 0.7f});
   quads_.compile();
