@@ -95,7 +95,8 @@ viewer::RenderInputs ShadedScene::inputs() const {
           objects ? objects->probes() : std::nullopt,
           virtualLights ? &virtualLights->lights->lights() : nullptr,
           objects ? objects->cubeLit() : std::span<const VertexRange>(),
-          objects ? objects->cubeOpenness() : std::span<const glm::vec3>()};
+          objects ? objects->cubeOpenness() : std::span<const glm::vec3>(),
+          following ? &*following->light : nullptr};
 }
 
 viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
@@ -159,7 +160,8 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   checkShadingOptions(session, asked, everyShading, shaded);
   placeInVolume(session, asked, shaded);
   openRelightingDevice(session, asked, everyShading, shaded);
-  if (render.shading == viewer::Shading::GlobalIllumination && everyShading) {
+  const bool follows = everyShading || render.debug.shown != viewer::DebugView::None;
+  if (render.shading == viewer::Shading::GlobalIllumination && follows) {
     shaded.following = followingLight(session, asked, shaded);
     shaded.globalIllumination = illuminationOf(*shaded.following->light);
   } else if (render.shading == viewer::Shading::GlobalIllumination) {

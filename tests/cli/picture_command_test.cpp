@@ -193,6 +193,18 @@ TEST_F(CliPicture, OptionsOfAShading_WithBadValues_AreRefused) {
   refused("--env", "preetham:3", "preetham:3:35:120");
   refused("--ao-correction", "much", "none or interreflection or cubic");
   refused("--lobe", "cone", "ggx or phong");
+  refused("--debug", "chart", "charts");
+  refused("--tree-depth", "64", "from 0 to 63");
+}
+
+TEST_F(CliPicture, DebugView_IsDrawnOrSaysWhatItLacks) {
+  prelightDone({"render", "scene.glb", "-o", "plain.exr", "--size", "24x16", "--shading", "phong"});
+  const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "wires.exr", "--size", "24x16",
+                                             "--shading", "phong", "--debug", "wireframe"});
+  EXPECT_THAT(result.errors + result.output, HasSubstr("triangles, "));
+  EXPECT_GT(compare("wires.exr", "plain.exr")["picture"]["max"].get<double>(), 0.01);
+  expectFailure(1, {"render", "scene.glb", "-o", "a.exr", "--shading", "phong", "--debug", "charts"},
+                {"--debug charts", "there is no light map", "--shading lightmap"});
 }
 
 TEST_F(CliPicture, OptionsOfAnotherShading_AreNotedAsUnused) {

@@ -68,6 +68,23 @@ TEST_F(ControlsTest, Probes_WhereThereAreSome_AreHiddenAndShownAgain) {
   EXPECT_FALSE(c.view().hidesProbes);
 }
 
+TEST_F(ControlsTest, DebugViews_FollowOneAnotherAndEndWithThePicture) {
+  Controls c = controls();
+  c.run(Command::NextDebugView);
+  EXPECT_EQ(c.view().debug.shown, DebugView::None) << "none is offered";
+  c.offer({false, false, {DebugView::None, DebugView::Uv, DebugView::Tree}});
+  const std::size_t before = c.changes();
+  for (const DebugView expected : {DebugView::Uv, DebugView::Tree, DebugView::None, DebugView::Uv}) {
+    c.run(Command::NextDebugView);
+    EXPECT_EQ(c.view().debug.shown, expected);
+  }
+  EXPECT_EQ(c.changes(), before + 4);
+  DebugOptions deep = c.view().debug;
+  deep.treeDepth = 1000;
+  c.setDebug(deep);
+  EXPECT_EQ(c.view().debug.treeDepth, DebugOptions::deepestTree);
+}
+
 TEST_F(ControlsTest, Node_Dragged_FollowsTheMouseAtItsDepth) {
   Controls c(view_, scene_, [](Shading) { return true; }, {}, {{"first", {5, 0, 0}}, {"second", {5, 0, 2}}});
   c.run(Command::NextNode);

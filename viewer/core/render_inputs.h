@@ -18,6 +18,7 @@ namespace prelight {
 class Device;
 struct Encoding;
 struct GlobalIllumination;
+class LiveLight;
 struct VirtualLightSet;
 }  // namespace prelight
 
@@ -63,6 +64,9 @@ struct RenderInputs {
   /// [vertex of theirs], what they leave of an even light from all around, and reflect of it onto themselves;
   /// none: all of it.
   std::span<const glm::vec3> cubeOpenness = {};
+  /// Light of `globalIllumination` while it follows a moving scene, whose state debug views show; nullptr: it
+  /// does not.
+  const LiveLight* live = nullptr;
 
   /// Returns these inputs with another bake.
   RenderInputs with(const Bake* chosen) const {
@@ -73,8 +77,21 @@ struct RenderInputs {
 
   /// Returns these inputs for a scene whose objects have moved.
   RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
-    return {movedScene,     moved,    bake,  environment, device,        caustics, globalIllumination,
-            normalTextures, encoding, posed, probes,      virtualLights, cubeLit,  cubeOpenness};
+    return {movedScene,
+            moved,
+            bake,
+            environment,
+            device,
+            caustics,
+            globalIllumination,
+            normalTextures,
+            encoding,
+            posed,
+            probes,
+            virtualLights,
+            cubeLit,
+            cubeOpenness,
+            live};
   }
 };
 

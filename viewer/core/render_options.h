@@ -5,6 +5,7 @@
 
 #include "prelight/scene.h"
 #include "prelight/shading.h"
+#include "viewer/core/debug_options.h"
 #include "viewer/core/layer_factors.h"
 #include "viewer/core/occlusion_options.h"
 #include "viewer/core/shading.h"
@@ -29,6 +30,7 @@ struct RenderOptions : ShadingOptions {
   std::vector<GroupFactor> groups;           ///< of lights shading; those not named shine as in the file
   LayerFactors layers = wholePicture;        ///< of the picture's parts
   bool layersOfFrames = false;               ///< sequences have the layers of each picture
+  DebugOptions debug;                        ///< view in place of the picture, or over it
   int samplesPerAxis = 2;                    ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 

@@ -30,7 +30,8 @@ struct View : ShadingOptions {
   LayerFactors layers = wholePicture;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool hidesProbes = false;             ///< where there are some
-  bool draft = false;                   ///< while something moves: fewer samples of large lights
+  DebugOptions debug;
+  bool draft = false;  ///< while something moves: fewer samples of large lights
   /// Shifts of the nodes of PosedScene, m. The renderer learns of these and of the moment by sceneMoved().
   std::vector<glm::dvec3> nodeShifts;
   std::optional<SceneMoment> moment;  ///< none: as the scene was given

@@ -57,6 +57,7 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.lights = options.lights.value_or(inputs.scene.lights);
   view.emitters = options.emitters;
   view.layers = options.layers;
+  view.debug = options.debug;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)
     view.groupFactors = groupFactors(namesOf(*inputs.bake->lightGroups), options.groups);
   return view;

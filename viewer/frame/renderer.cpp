@@ -29,6 +29,7 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       lights_(compiled_),
       sky_(inputs, lights_.hasEmitters()),
       batches_(scene_, inputs.encoding),
+      debug_(inputs_, scene_, batches_),
       passes_(passRows().size()) {
   checkInputs(inputs);
   gl::check("preparing the renderer");
@@ -129,6 +130,7 @@ ShaderVariant Renderer::variantOf(const Drawing& drawing, std::span<const Shaded
 }
 
 void Renderer::update(Shading shading, const FoundLight& light) {
+  debug_.changed();
   if (DrawnTransfer* transfer = drawnOf(shading).transfer.get()) transfer->takeLight(light);
   for (TechniquePass* pass : passesOf(shading)) pass->takeLight(light);
 }
@@ -155,6 +157,7 @@ void Renderer::sceneMoved(bool shapes) {
   else
     scene_.fillPositions(compiled_);
   lights_.setScene(compiled_);
+  debug_.changed();
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   for (const auto& pass : passes_)
@@ -294,6 +297,7 @@ void Renderer::drawFace(const PictureState& picture, const SceneFace& face, cons
   seen.camera = face.camera;
   seen.width = seen.height = face.side;
   seen.layers = wholePicture;
+  seen.debug = {};
   const PictureState shown{seen, picture.light, picture.transfer, picture.pace, nobody};
   drawScene({shown, passesOf(seen.shading), face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side},
             target);
@@ -361,7 +365,8 @@ void Renderer::drawScene(const Drawing& drawing, const Tile& tile, const gl::Fra
   for (const TechniquePass* pass : drawing.passes) pass->bindTextures();
   target.bind();
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
-  drawOrdered(drawing, order, look, drawing.picture.passed);
+  if (!debug_.replacesSurfaces(view)) drawOrdered(drawing, order, look, drawing.picture.passed);
+  debug_.draw({view, tile, target, order, *this});
   if (drawing.layers != nullptr) drawLayers(drawing, order, std::move(look), target);
 }
 
@@ -422,6 +427,7 @@ void Renderer::describe(const View& view, Warnings& notes) {
     notes.push_back("the scene has " + std::to_string(view.lights.size()) + " lights: the strongest " +
                     std::to_string(room) + " are drawn");
   }
+  debug_.describe(view, notes);
   for (const PassRow* row : passRows())
     if (row->describeLack != nullptr) row->describeLack(view.shading, light, notes);
   if (const DrawnTransfer* transfer = litTransfer(view, light, nobody)) transfer->describe(light, notes);

@@ -11,6 +11,7 @@
 #include "viewer/core/camera.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/core/view_state.h"
+#include "viewer/debug/debug_views.h"
 #include "viewer/frame/picture_layers.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/texture.h"
@@ -46,8 +47,10 @@ class Renderer final : private SceneDrawer {
   /// Draws the tile and then its layers, one after the other, into the same target.
   void draw(const View& view, const Tile& tile, const gl::Framebuffer& target, const LayerRequest& layers);
 
-  /// Layers that pictures of a view have.
-  std::vector<DrawnLayer> layersOf(const View& view) const { return viewer::layersOf(view, inputs_); }
+  /// Layers that pictures of a view have; debug views have none.
+  std::vector<DrawnLayer> layersOf(const View& view) const {
+    return view.debug.shown == DebugView::None ? viewer::layersOf(view, inputs_) : std::vector<DrawnLayer>();
+  }
 
   /// Shows light of a shading that was found anew. Throws Error where it has not as many values as before,
   /// and for a shading that the inputs do not hold.
@@ -145,6 +148,7 @@ class Renderer final : private SceneDrawer {
   ViewLights lights_;
   DrawnSky sky_;
   BatchDrawer batches_;
+  DebugViews debug_;
   std::vector<std::unique_ptr<TechniquePass>> passes_;  ///< [row]; nullptr before a picture has had it
   std::optional<Shading> shown_;                        ///< by the last picture
   bool specialised_ = true;

@@ -295,6 +295,15 @@ constexpr auto renderRows = std::to_array<Option<viewer::RenderOptions>>({
                                                                               .name = "lobe",
                                                                               .help = "shape of reflections",
                                                                               .shadings = "glossy phong"}),
+    Rows<viewer::RenderOptions>::choice<&viewer::RenderOptions::debug, &viewer::DebugOptions::shown>(
+        viewer::debugChoices, {.field = "RenderOptions::debug",
+                               .name = "debug",
+                               .help = "show what the picture is computed from, in place of it or over it"}),
+    Rows<viewer::RenderOptions>::number<&viewer::RenderOptions::debug, &viewer::DebugOptions::treeDepth>(
+        whole(0, viewer::DebugOptions::deepestTree),
+        {.field = "DebugOptions::treeDepth",
+         .name = "tree-depth",
+         .help = "--debug tree: level of the boxes, 0 for the one around everything"}),
 });
 
 }  // namespace

@@ -193,6 +193,8 @@ void Controls::run(Command command) {
       view_.hidesProbes = extras_.probes && !view_.hidesProbes;
       ++changes_;
       return;
+    case Command::NextDebugView:
+      return showNextDebugView();
     case Command::ResetView:
       view_.camera = firstCamera_;
       hasOwnCamera_ = false;
@@ -240,6 +242,23 @@ void Controls::setGroupFactor(const glm::vec3& factor) {
   if (selectedGroup_ < 0) return;
   view_.groupFactors[selectedGroup_] = glm::max(factor, glm::vec3(0.0f));
   ++changes_;
+}
+
+void Controls::setDebug(const DebugOptions& options) {
+  DebugOptions wanted = options;
+  wanted.treeDepth = std::clamp(options.treeDepth, 0, DebugOptions::deepestTree);
+  if (wanted == view_.debug) return;
+  view_.debug = wanted;
+  ++changes_;
+}
+
+void Controls::showNextDebugView() {
+  const std::vector<DebugView>& views = extras_.debugViews;
+  if (views.empty()) return;
+  const auto shown = std::ranges::find(views, view_.debug.shown);
+  DebugOptions next = view_.debug;
+  next.shown = shown == views.end() || shown + 1 == views.end() ? views.front() : *(shown + 1);
+  setDebug(next);
 }
 
 void Controls::setOptions(const ShadingOptions& options) {

@@ -33,6 +33,7 @@ enum class Command {
   BrightenGroup,
   DimGroup,
   ToggleProbes,
+  NextDebugView,
   ResetView,
 };
 
@@ -61,6 +62,7 @@ struct Following {
 struct Extras {
   bool objects = false;  ///< that are lit anew wherever they are dragged
   bool probes = false;
+  std::vector<DebugView> debugViews = {};  ///< that can be shown, None first
 };
 
 /// Applies the user's input to a view, free of any window system. Every change counts up `changes`.
@@ -100,7 +102,8 @@ class Controls {
   void setLightIntensity(const glm::vec3& intensity);
   void selectGroup(int index);
   void selectNode(int index);
-  void setGroupFactor(const glm::vec3& factor);    ///< of the selected group
+  void setGroupFactor(const glm::vec3& factor);  ///< of the selected group
+  void setDebug(const DebugOptions& options);
   void setOptions(const ShadingOptions& options);  ///< cuts numbers to their ranges
   /// Moves the time of effects on, where they show, and the animation.
   void passTime(double seconds);
@@ -129,6 +132,7 @@ class Controls {
   void zoom(double factor);
   void turnLight(const glm::dvec2& delta);
   void moveNode(const glm::dvec2& delta);
+  void showNextDebugView();
   double heightAt(double depth) const;
   void addLight();
   void cameraMoved();

@@ -70,6 +70,8 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
     lines.push_back(line("PgUp, PgDn", "selected light group brighter, dimmer"));
   }
   if (controls.extras().probes) lines.push_back(line("P", "show or hide probes"));
+  if (controls.extras().debugViews.size() > 1)
+    lines.push_back(line("V", "next debug view, after the last one the picture"));
   lines.push_back(line("R", "first view"));
   lines.push_back(line("H", "this help"));
   lines.push_back(line("Esc", "quit"));

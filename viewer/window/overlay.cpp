@@ -10,6 +10,7 @@
 #include <string>
 
 #include "viewer/options/shading_options.h"
+#include "viewer/window/debug_list.h"
 #include "viewer/window/key_help.h"
 
 namespace prelight::viewer {
@@ -187,6 +188,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
   drawNodes(controls);
   drawGroups(controls);
   drawShadingOptions(controls);
+  drawDebugList(controls);
   drawTimeline(controls);
   if (showHelp_) {
     ImGui::Separator();

@@ -106,6 +106,8 @@ std::optional<Command> commandOf(int key) {
       return Command::DimGroup;
     case GLFW_KEY_P:
       return Command::ToggleProbes;
+    case GLFW_KEY_V:
+      return Command::NextDebugView;
     case GLFW_KEY_R:
       return Command::ResetView;
     default:
@@ -227,6 +229,7 @@ void tellNotes(PosedScene& scene, const Showing& showing) {
 
 /// The exposure that suits a view, from a small picture of it.
 double meteredView(Renderer& renderer, View view) {
+  view.debug = {};
   constexpr int meteredHeight = 180;
   view.width = std::max(1, static_cast<int>(std::int64_t{view.width} * meteredHeight / view.height));
   view.height = meteredHeight;
@@ -235,6 +238,13 @@ double meteredView(Renderer& renderer, View view) {
 
 void writeScreenshot(const std::filesystem::path& path, const Picture& picture, double exposure) {
   writePicture(path, path.extension() == ".exr" ? picture : exposed(picture, exposure));
+}
+
+/// The view with debug views in their own colours, whatever the exposure.
+View exposedView(const Controls& controls, double exposure) {
+  View view = controls.view();
+  view.debug.exposure = exposure;
+  return view;
 }
 
 void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePicture& picture,
@@ -266,7 +276,7 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
     tellNotes(scene, showing);
     if (followed) picture.invalidate();
     const bool settled = std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime;
-    picture.update(controls.view(), controls.changes(), settled);
+    picture.update(exposedView(controls, showing.exposure), controls.changes(), settled);
     presenter.present(picture.target(), picture.samples(), 0, static_cast<float>(showing.exposure));
     overlay.draw(controls, picture.lastSeconds());
     glfwSwapBuffers(window);
@@ -296,7 +306,7 @@ std::optional<std::filesystem::path> runViewer(const ViewerInputs& inputs, const
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groups,
       dragNodes(scene));
   setUpPlayback(inputs, options, scene, controls);
-  controls.offer({options.objects != nullptr, inputs.probes.has_value()});
+  controls.offer({options.objects != nullptr, inputs.probes.has_value(), offeredDebugViews(scene.shown())});
   for (std::size_t i = 0; i < scene.nodes().size(); ++i)
     if (scene.nodes()[i].node == options.selectedNode) controls.selectNode(static_cast<int>(i));
   EventRouter router(window.get(), controls);
@@ -313,8 +323,10 @@ std::optional<std::filesystem::path> runViewer(const ViewerInputs& inputs, const
   if (!router.dropped() && !options.screenshotPath.empty()) {
     renderer.paceUpdates(false);
     renderer.reuseOcclusion(false);
-    writeScreenshot(options.screenshotPath,
-                    renderView(renderer, controls.view(), options.render.samplesPerAxis), showing.exposure);
+    writeScreenshot(
+        options.screenshotPath,
+        renderView(renderer, exposedView(controls, showing.exposure), options.render.samplesPerAxis),
+        showing.exposure);
   }
   return router.dropped();
 }

@@ -48,6 +48,10 @@ void tellOfDrawing(const RenderCommand& command, const pictures::DrawnPicture& d
   console.json(report);
 }
 
+bool showsDebugView(const RenderCommand& command) {
+  return command.picture.render.debug.shown != viewer::DebugView::None;
+}
+
 /// Throws UsageError for options that contradict each other.
 void checkRender(const RenderCommand& command, bool globalIllumination) {
   if (command.dryRun && (!globalIllumination || command.rasterised || command.framesASecond))
@@ -56,9 +60,21 @@ void checkRender(const RenderCommand& command, bool globalIllumination) {
   if (command.framesASecond && globalIllumination && command.rasterised)
     throw UsageError("--fps --rasterised", "full shading computes its light anew for every moment",
                      "leave --rasterised out: the pictures are traced");
+  if (command.framesASecond && globalIllumination && showsDebugView(command))
+    throw UsageError("--fps --debug", "debug views of full shading are drawn for one moment only",
+                     "leave --fps out and choose --at");
   if (!command.framesASecond && command.rasterised && !globalIllumination)
     throw UsageError("--rasterised", "every shading but full is rasterised",
                      "leave it out or add --shading full");
+}
+
+/// Debug views are drawn and not traced, and displayed with an exposure that is known before.
+RenderCommand prepared(RenderCommand command, bool globalIllumination) {
+  if (!showsDebugView(command)) return command;
+  command.rasterised |= globalIllumination;
+  command.picture.exposure = {command.picture.exposure.factor.value_or(1.0)};
+  command.picture.render.debug.exposure = *command.picture.exposure.factor;
+  return command;
 }
 
 /// Renders sequences and traced pictures. Returns whether the command asked for one.
@@ -77,10 +93,11 @@ bool renderOtherwise(const RenderCommand& command, bool globalIllumination, Sess
   return true;
 }
 
-void runRender(const RenderCommand& command, Context& context) {
+void runRender(const RenderCommand& asked, Context& context) {
   Session session(context);
-  const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
-  checkRender(command, globalIllumination);
+  const bool globalIllumination = asked.picture.shading == viewer::Shading::GlobalIllumination;
+  checkRender(asked, globalIllumination);
+  const RenderCommand command = prepared(asked, globalIllumination);
   if (renderOtherwise(command, globalIllumination, session)) return;
   pictures::ShadedScene shaded = pictures::prepareScene(
       session, command.picture, false, [&] { checkPictureOutputs(command.picture, "-o", command.output); });
@@ -134,6 +151,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "  prelight render room.glb -o room.exr --shading full --size 1080 --dry-run\n"
       "  prelight render room.glb -o room.png --shading full --rasterised --spp 16\n"
       "  prelight render moving.glb -o frame.%04d.png --animation swing --fps 24\n"
+      "  prelight render room.glb -o charts.png --shading lightmap --debug charts\n"
       "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "
       "200\n"
       "  prelight render occluders.glb -o sea.png --shading vo --waves 0.4 --effect-time 2.5");

@@ -47,6 +47,7 @@ class LiveApproximation {
   bool settled() const;
   double meanIrradiance() const;  ///< over the texels, luminance, W/m2
   const IrradianceMap& map() const { return map_; }
+  std::span<const glm::vec3> irradiance() const { return values_; }  ///< W/m2, [place of the layout's texels]
 
  private:
   /// One side of a patch.

@@ -225,6 +225,13 @@ bool LiveGather::waits(std::size_t place, double mean) const {
   return priority(place) > options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
 }
 
+std::vector<double> LiveGather::expectedChanges() const {
+  const double mean = meanIrradiance();
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < places_.size(); ++i) changes.push_back(waits(i, mean) ? priority(i) : 0.0);
+  return changes;
+}
+
 /// Returns the texels to gather next, greatest change first, and counts those that wait.
 std::vector<std::uint32_t> LiveGather::choose(std::size_t& waitingCount) const {
   const double mean = meanIrradiance();

@@ -86,6 +86,10 @@ class LiveGather {
 
   bool settled() const;
 
+  /// Returns the change that is expected at each texel that waits, W/m2, [place of the layout's texels]:
+  /// infinite where it has moved, and 0 where it does not wait.
+  std::vector<double> expectedChanges() const;
+
   /// Irradiance as shown and as gathered, W/m2, [place of the layout's texels].
   std::span<const glm::vec3> shown() const { return shown_; }
   std::span<const glm::vec3> gathered() const { return gathered_; }

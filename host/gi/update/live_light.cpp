@@ -180,6 +180,14 @@ std::span<const glm::vec3> LiveLight::indirect() const {
   return gather_ ? gather_->shown() : std::span<const glm::vec3>();
 }
 
+std::span<const glm::vec3> LiveLight::approximation() const {
+  return approximation_ ? approximation_->irradiance() : std::span<const glm::vec3>();
+}
+
+std::vector<double> LiveLight::expectedChanges() const {
+  return gather_ ? gather_->expectedChanges() : std::vector<double>();
+}
+
 std::vector<device::Photon> LiveLight::caustics() const {
   return caustics_ ? caustics_->photons() : std::vector<device::Photon>();
 }

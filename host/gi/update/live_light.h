@@ -89,6 +89,10 @@ class LiveLight {
   const LightMapLayout& layout() const { return layout_; }
   /// Returns the light shown, W/m2, [place of the layout's texels]; empty if the plan has no indirect light.
   std::span<const glm::vec3> indirect() const;
+  /// Returns the irradiance that gathering looks up, W/m2, and the expected change of texels that wait
+  /// (LiveGather::expectedChanges()), both [place of the layout's texels]; empty as indirect().
+  std::span<const glm::vec3> approximation() const;
+  std::vector<double> expectedChanges() const;
   std::vector<device::Photon> caustics() const;
   const LivePhotons* photons() const { return photons_.get(); }
   const LivePhotons* causticPhotons() const { return caustics_.get(); }

@@ -399,6 +399,18 @@ std::vector<Photon> LivePhotons::photons() const {
   return all;
 }
 
+std::vector<std::uint32_t> LivePhotons::groupsOfPhotons() const {
+  std::vector<std::uint32_t> groups;
+  std::uint32_t first = 0;
+  for (const Source& stored : stored_) {
+    for (std::size_t i = 0; i < stored.paths.size(); ++i)
+      groups.insert(groups.end(), stored.paths[i].photons.size(),
+                    i < stored.groupOf.size() ? first + stored.groupOf[i] : noGroup);
+    first += stored.groups.count();
+  }
+  return groups;
+}
+
 std::uint64_t LivePhotons::pathCount() const {
   std::uint64_t count = 0;
   for (const Source& stored : stored_) count += stored.paths.size();

@@ -71,6 +71,9 @@ class LivePhotons {
 
   /// Returns all stored photons, in order of their numbers.
   std::vector<device::Photon> photons() const;
+  /// Returns the group of each of photons(), or noGroup for paths of a former source.
+  std::vector<std::uint32_t> groupsOfPhotons() const;
+  static constexpr std::uint32_t noGroup = 0xffffffffu;
   std::uint64_t pathCount() const;
   std::uint64_t groupCount() const;
 

@@ -11,8 +11,7 @@ namespace {
 
 enum CausticUnit : GLuint { placesUnit = 0, powerUnit = 1, normalsUnit = 2, marksUnit = 3 };
 
-/// A cell's side, pixels: no less than the filter's reach, so that its neighbours are all it looks into.
-constexpr int cellSide = CausticPass::margin;
+constexpr int cellSide = CausticPass::cellSide;
 
 struct PhotonVertex {
   glm::vec3 position;

@@ -19,6 +19,8 @@ class CausticPass {
  public:
   /// Pixels around a picture that the filter of those at its border looks at.
   static constexpr int margin = 8;
+  /// A cell's side, pixels: no less than the filter's reach, so that its neighbours are all it looks into.
+  static constexpr int cellSide = margin;
 
   CausticPass(const Caustics& caustics, const CompiledScene& scene);
 
@@ -37,6 +39,9 @@ class CausticPass {
 
   /// Irradiance, W/m2, of every pixel of places(); alpha is 0 where nothing was filtered.
   const gl::Texture& irradiance() const { return targets_->irradiance.color(); }
+
+  /// A texel for each cell of places() from its lower left corner on, 1 where photons fall into it.
+  const gl::Texture& marks() const { return targets_->marks.color(); }
 
  private:
   /// Targets of one size.
