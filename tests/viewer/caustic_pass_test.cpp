@@ -166,6 +166,62 @@ TEST(CausticPass, SquaresEdge_IsNoDarker) {
   EXPECT_NEAR(sum / count, 1.0, 0.03);
 }
 
+/// Scatter of irradiance over a picture relative to its mean.
+double relativeScatter(const Picture& picture) {
+  double sum = 0.0, squares = 0.0;
+  for (const glm::vec3& pixel : picture.pixels) {
+    const double irradiance = pi * static_cast<double>(pixel.r);
+    sum += irradiance;
+    squares += irradiance * irradiance;
+  }
+  const double mean = sum / static_cast<double>(picture.pixels.size());
+  return std::sqrt(squares / static_cast<double>(picture.pixels.size()) - mean * mean) / mean;
+}
+
+// 100 photons lie within 36 mm: 18, 60 and 180 pixels of these pictures.
+TEST(CausticPass, NearView_HasNoMoreNoiseThanItsPhotons) {
+  Spot spot(0);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (int i = 0; i < 100000; ++i) spot.add(place(random), place(random), 4.0 / 100000, {0, 0, 1});
+  const double noise = std::sqrt(4.0 / (3.0 * spot.filter.density.nearest));
+  for (const double height : {0.5, 0.15, 0.05})
+    EXPECT_LT(relativeScatter(spot.picture({0, 0, height}, 200)), 1.2 * noise) << height;
+}
+
+TEST(CausticLevels, NearPhoton_NeedsLevelsThatItsRadiusFits) {
+  Spot spot;
+  spot.quad.scene.cameras.clear();
+  spot.quad.lookFrom({0, 0, 2}, {0, 0, 0});
+  spot.quad.compile();
+  const viewer::CameraMatrices camera =
+      viewer::cameraMatrices(spot.quad.scene.cameras[0], spot.quad.compiled, 1.0);
+  const std::vector<glm::vec3> centre = {{0, 0, 0}}, behind = {{0, 0, 5}};
+  const auto levels = [&](const std::vector<glm::vec3>& points, double pixels) {
+    return viewer::levelsForRadius(points, 2.0 * pixels * 0.01, camera, 0.01, 8, 6);
+  };
+  EXPECT_EQ(levels(centre, 7.9), 1);
+  EXPECT_EQ(levels(centre, 8.1), 2);
+  EXPECT_EQ(levels(centre, 60.0), 4);
+  EXPECT_EQ(levels(centre, 1e6), 6);
+  EXPECT_EQ(levels(behind, 60.0), 1);
+}
+
+TEST(CausticLevels, RastersOfTiles_LieOnOneGrid) {
+  for (const viewer::Tile tile : {viewer::Tile{0, 0, 100, 70}, {100, 3, 33, 64}, {1, 700, 1, 20}})
+    for (const int level : {0, 1, 3, 5}) {
+      const int texel = viewer::pixelsPerTexel(level);
+      const viewer::LevelRaster raster = viewer::rasterAround(tile, 720, level, 8);
+      EXPECT_EQ(raster.left % texel, 0);
+      EXPECT_EQ(raster.bottom % texel, 0);
+      const viewer::Tile covered = raster.tile(720);
+      EXPECT_LE(covered.x + 8 * texel, tile.x);
+      EXPECT_LE(covered.y + 8 * texel, tile.y);
+      EXPECT_GE(covered.x + covered.width - 8 * texel, tile.x + tile.width);
+      EXPECT_GE(covered.y + covered.height - 8 * texel, tile.y + tile.height);
+    }
+}
+
 TEST(CausticPass, PhotonsOnTheBack_AreNotSeenFromTheFront) {
   Spot spot(0);
   for (int i = 0; i < 1000; ++i) spot.add(0.001 * i - 0.5, 0.0, 1e-3, {0, 0, -1});

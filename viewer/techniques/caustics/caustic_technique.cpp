@@ -1,4 +1,5 @@
 #include <memory>
+#include <vector>
 
 #include "gi/global_illumination.h"
 #include "viewer/core/camera.h"
@@ -50,18 +51,23 @@ void CausticTechnique::drawTile(const TileState& tile, SceneDrawer& drawer, Tile
   if (empty()) return;
   const View& view = tile.picture.view;
   const int samples = tile.target.width() / tile.tile.width;
-  const int around = CausticPass::margin;
-  const Tile whole{tile.tile.x - around, tile.tile.y - around, tile.tile.width + 2 * around,
-                   tile.tile.height + 2 * around};
-  drawer.useFrame(view, whole, {}, samples);
-  const gl::Framebuffer& places = pass_->places(whole.width, whole.height);
-  BatchLook surfaces;
-  surfaces.shader = "surface_places.frag";
-  batches_.drawInto(places, tile.opaque, surfaces);
-  pass_->draw(2.0 * halfHeightOf(view.camera) / view.height, scene_.triangleNormals());
+  const double pixelWidth = 2.0 * halfHeightOf(view.camera) / view.height;
+  const CameraMatrices camera =
+      cameraMatrices(view.camera, compiled_, static_cast<double>(view.width) / view.height);
+  const int levels = pass_->levelsFor(camera, pixelWidth);
+  std::vector<LevelRaster> rasters;
+  for (int level = 0; level < levels; ++level) {
+    rasters.push_back(rasterAround(tile.tile, view.height, level, CausticPass::margin));
+    drawer.useFrame(view, rasters.back().tile(view.height), {}, samples);
+    BatchLook surfaces;
+    surfaces.shader = "surface_places.frag";
+    batches_.drawInto(pass_->places(rasters.back()), tile.opaque, surfaces);
+    pass_->drawPhotons(rasters.back(), pixelWidth, scene_.triangleNormals());
+  }
+  pass_->filter(rasters, pixelWidth, scene_.triangleNormals());
   gl::bind(causticsUnit, GL_TEXTURE_2D, pass_->irradiance());
   // Caustics lie on what is opaque.
-  look.opaque.causticCorner = {around, around, 0, samples};
+  look.opaque.causticCorner = {CausticPass::margin, CausticPass::margin, 0, samples};
   tile.picture.passed({FramePass::Caustics});
 }
 

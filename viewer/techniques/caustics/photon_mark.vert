@@ -1,11 +1,11 @@
 #version 410 core
-// A photon as a point in the middle of the cell of the picture that it falls into.
+// A photon as a point in the middle of the cell of the level that it falls into.
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;  // scene coordinates
 
-uniform ivec4 cells;  // number in x and y, pixels of a cell's side, 0
-uniform vec4 size;    // of the picture, pixels
+uniform ivec4 cells;  // number in x and y, texels of a cell's side
+uniform vec4 size;    // of the level, texels
 
 void main() {
   vec4 clip = clipFromScene * vec4(position, 1.0);
