@@ -1,0 +1,2 @@
+#include "harmonic_sky.glsl"
+#include "sky_and_lamp.glsl"
