@@ -25,18 +25,17 @@ class CellDrawing final : public DebugDrawing {
 };
 
 void CellDrawing::draw(const DebugTile& tile) {
-  const int around = CausticPass::margin;
-  const Tile whole{tile.tile.x - around, tile.tile.y - around, tile.tile.width + 2 * around,
-                   tile.tile.height + 2 * around};
-  tile.drawer.useFrame(tile.view, whole, {}, tile.samples());
+  const LevelRaster raster = rasterAround(tile.tile, tile.view.height, 0, CausticPass::margin);
+  const double pixelWidth = 2.0 * halfHeightOf(tile.view.camera) / tile.view.height;
+  tile.drawer.useFrame(tile.view, raster.tile(tile.view.height), {}, tile.samples());
   BatchLook surfaces;
   surfaces.shader = "surface_places.frag";
-  batches_.drawInto(pass_.places(whole.width, whole.height), tile.order.opaque, surfaces);
-  pass_.draw(2.0 * halfHeightOf(tile.view.camera) / tile.view.height, scene_.triangleNormals());
+  batches_.drawInto(pass_.places(raster), tile.order.opaque, surfaces);
+  pass_.drawPhotons(raster, pixelWidth, scene_.triangleNormals());
   tile.target.bind();
   const gl::Program& program = fill_.use();
   program.set("marks", 0);
-  program.set("cells", glm::ivec4(tile.samples(), CausticPass::cellSide, around, 0));
+  program.set("cells", glm::ivec4(tile.samples(), CausticPass::cellSide, CausticPass::margin, 0));
   program.set("brightness", static_cast<float>(1.0 / tile.view.debug.exposure));
   gl::bind(0, GL_TEXTURE_2D, pass_.marks());
   fill_.draw(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
