@@ -17,8 +17,6 @@
 namespace prelight::pictures {
 namespace {
 
-constexpr double widestAspect = 16.0 / 9.0;
-
 /// Returns whether a camera stands within the scene's bounds. Such a camera shows the scene by its own light.
 bool hasCameraWithin(const LoadedScene& loaded) {
   const glm::dvec3 least(loaded.compiled.boundsMin), most(loaded.compiled.boundsMax);
@@ -31,7 +29,7 @@ bool hasCameraWithin(const LoadedScene& loaded) {
 /// Returns the camera that is asked for, or the one that the studio would choose.
 Camera eyeOf(const LoadedScene& loaded, std::optional<int> camera) {
   return loaded.scene.cameras.empty() && !camera
-             ? frameModel(loaded.compiled, widestAspect)
+             ? frameModel(loaded.compiled, viewer::defaultAspect)
              : viewer::chooseCamera(loaded.scene, loaded.compiled, camera);
 }
 
@@ -63,9 +61,10 @@ PictureSky skyOfPicture(DrawingSession& session, const PictureRequest& asked, bo
                           asked.render.camera);
 }
 
-void setUpStudio(DrawingSession& session, LoadedScene& loaded, std::optional<int> width, int height) {
+void frameScene(DrawingSession& session, bool studio, std::optional<int> width, int height,
+                LoadedScene& loaded) {
   if (!loaded.scene.cameras.empty()) return;
-  if (!readRecordedChoice(*loaded.document).baked) {
+  if (studio && !readRecordedChoice(*loaded.document).baked) {
     const std::vector<std::uint32_t> turned = insideOutPrimitives(loaded.scene, loaded.compiled);
     if (!turned.empty()) {
       session.warn(
@@ -73,7 +72,7 @@ void setUpStudio(DrawingSession& session, LoadedScene& loaded, std::optional<int
       turnFaces(turned, loaded.scene, loaded.compiled);
     }
   }
-  const double aspect = width ? static_cast<double>(*width) / height : widestAspect;
+  const double aspect = width ? static_cast<double>(*width) / height : viewer::defaultAspect;
   Camera& camera = loaded.scene.cameras.emplace_back(frameModel(loaded.compiled, aspect));
   camera.sceneNode = loaded.scene.nodes.size();
 }

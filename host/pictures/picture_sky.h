@@ -29,8 +29,9 @@ PictureSky choosePictureSky(DrawingSession& session, const std::filesystem::path
 PictureSky skyOfPicture(DrawingSession& session, const PictureRequest& asked, bool lightBaked,
                         const LoadedScene& loaded);
 
-/// Prepares a scene without cameras for the studio. Primitives that are inside out and have no bake are
-/// turned, with a note, and a camera is added that shows the scene large in a picture of this size.
-void setUpStudio(DrawingSession& session, LoadedScene& loaded, std::optional<int> width, int height);
+/// Adds a camera to a scene without cameras that shows all of it large in a picture of this size. In the
+/// studio, primitives that are inside out and have no bake are turned, with a warning.
+void frameScene(DrawingSession& session, bool studio, std::optional<int> width, int height,
+                LoadedScene& loaded);
 
 }  // namespace prelight::pictures

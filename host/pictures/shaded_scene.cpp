@@ -132,7 +132,7 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   PictureSky sky = skyOfPicture(session, asked, carriesStaticLight(shaded.bake), shaded.loaded);
   shaded.environment = std::move(sky.map);
   shaded.studio = sky.studio;
-  if (sky.studio && !asked.render.camera) setUpStudio(session, shaded.loaded, asked.width, asked.height);
+  if (!asked.render.camera) frameScene(session, sky.studio, asked.width, asked.height, shaded.loaded);
   checkOutputs();
 
   viewer::RenderOptions& render = shaded.render = asked.render;

@@ -79,18 +79,17 @@ void poseForPicture(DrawingSession& session, const PoseOptions& pose, LoadedScen
 
 PictureSetUp setUpPicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded) {
   PictureSky sky = skyOfPicture(session, asked, false, loaded);
-  if (sky.studio && !asked.render.camera) setUpStudio(session, loaded, asked.width, asked.height);
-  return {std::move(sky), std::nullopt};
+  if (!asked.render.camera) frameScene(session, sky.studio, asked.width, asked.height, loaded);
+  return {std::move(sky)};
 }
 
 TracedPlan planTracedPicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded,
                              PictureSetUp& setUp) {
   std::vector<Light> lights = placeLamps(session, asked, loaded, setUp.sky);
-  TracedPlan plan{
-      asked.full,
-      setUp.camera ? *setUp.camera : viewer::chooseCamera(loaded.scene, loaded.compiled, asked.render.camera),
-      {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
-       asked.render.skyRotation + setUp.sky.rotation}};
+  TracedPlan plan{asked.full,
+                  viewer::chooseCamera(loaded.scene, loaded.compiled, asked.render.camera),
+                  {loaded.compiled, loaded.scene.images, std::move(lights),
+                   setUp.sky.map ? &*setUp.sky.map : nullptr, asked.render.skyRotation + setUp.sky.rotation}};
   plan.request.height = asked.height;
   plan.request.width = asked.width.value_or(pictureWidth(plan.camera, asked.height));
   plan.request.seed = plan.request.indirect.seed = asked.bake.request.seed;

@@ -27,10 +27,9 @@ inline bool asksForFull(const PictureRequest& asked) {
   return asked.shading == viewer::Shading::GlobalIllumination;
 }
 
-/// Sky and camera that the pictures of one scene share.
+/// What the pictures of one scene share.
 struct PictureSetUp {
   PictureSky sky;
-  std::optional<Camera> camera;  ///< for all pictures; none: the camera of each picture's scene
 };
 
 /// A picture of full shading that is to be traced. It refers to its scene and its PictureSetUp.
@@ -59,7 +58,7 @@ LoadedScene loadForPicture(DrawingSession& session, const PictureRequest& asked)
 /// Poses a scene whose bake no picture uses.
 void poseForPicture(DrawingSession& session, const PoseOptions& pose, LoadedScene& loaded);
 
-/// Chooses the sky of a posed scene, which is prepared for the studio where that is its sky.
+/// Chooses the sky of a posed scene, which gets a camera if it has none (frameScene()).
 PictureSetUp setUpPicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded);
 
 /// Lays out a picture: lamps with an area become surfaces of `loaded`, and a neutral sky lights a scene

@@ -9,7 +9,6 @@
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
-#include "viewer/window/live_picture.h"
 #include "viewer/window_scene.h"
 
 namespace prelight::viewer {
@@ -112,27 +111,6 @@ TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
   for (const char c : text) lines += c == '\n' ? 1 : 0;
   const std::size_t rules = countNamed<Reflection>(nameOf) + countNamed<Through>(nameOf);
   EXPECT_EQ(lines, 8u + featureCount + rules);
-}
-
-TEST(LivePicture, WhileTheViewMoves_HasOneSample_ThenAllOfTheStillPicture) {
-  const gl::EglContext context;
-  const QuadScene quad = windowScene();
-  const RenderInputs inputs = quad.inputs();
-  Renderer renderer(inputs);
-  View view = makeView(inputs, windowOptions());
-  view.shading = Shading::Sh;
-  LivePicture picture(renderer, 2);
-  picture.update(view, 1, false);
-  EXPECT_EQ(picture.samples(), 1);
-  EXPECT_FALSE(picture.isFinal(1));
-  picture.update(view, 1, true);
-  EXPECT_EQ(picture.samples(), 2);
-  EXPECT_TRUE(picture.isFinal(1));
-  EXPECT_FALSE(picture.isFinal(2));
-  const gl::Framebuffer expected(2 * view.width, 2 * view.height);
-  Renderer other(inputs);
-  other.draw(view, {0, 0, view.width, view.height}, expected);
-  EXPECT_EQ(picture.target().read(), expected.read());
 }
 
 TEST(RelitTransfer, LightBesideTheScene_MovedAndBack_ShowsWhatItShowedAtFirst) {

@@ -23,9 +23,10 @@ glm::dmat4 withoutScale(const glm::dmat4& world) {
 
 }  // namespace
 
-Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index) {
+Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index,
+                    double aspect) {
   const int count = static_cast<int>(scene.cameras.size());
-  if (!index) return count > 0 ? scene.cameras.front() : frameCamera(compiled);
+  if (!index) return count > 0 ? scene.cameras.front() : frameModel(compiled, aspect);
   if (*index >= 0 && *index < count) return scene.cameras[*index];
   throw UsageError(
       "--camera " + std::to_string(*index),

@@ -9,9 +9,13 @@
 
 namespace prelight::viewer {
 
-/// The camera `index` of the scene; without an index the first one, or frameCamera when the scene has none.
-/// Throws UsageError when the index is out of range.
-Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index);
+/// Width over height of pictures of cameras that have no aspect.
+constexpr double defaultAspect = 16.0 / 9.0;
+
+/// Returns the camera `index` of the scene; without an index the first one, or, when the scene has none,
+/// frameModel's for a picture of `aspect` (width / height). Throws UsageError when the index is out of range.
+Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index,
+                    double aspect = defaultAspect);
 
 /// Half of what a camera shows from bottom to top: metres on the plane at unit depth; of an orthographic one,
 /// anywhere.

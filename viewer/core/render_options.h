@@ -22,7 +22,7 @@ struct RenderOptions : ShadingOptions {
   Shading shading = Shading::Phong;
   int width = 0;              ///< pixels; 0: from the height and the camera's aspect (16:9 when it has none)
   int height = 720;           ///< pixels, 1..32768
-  std::optional<int> camera;  ///< into Scene::cameras; none: the first, or frameCamera when there is none
+  std::optional<int> camera;  ///< into Scene::cameras; none: the first, or one that frames the scene
   double skyRotation = 0.0;   ///< radians, turns the sky counter-clockwise about +Y seen from above
   std::optional<std::vector<Light>> lights;  ///< replaces the scene's punctual lights
   bool emitters = true;                      ///< emissive triangles light the scene

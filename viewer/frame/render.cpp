@@ -48,7 +48,9 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   checkOptions(options);
   View view;
   static_cast<ShadingOptions&>(view) = options;
-  view.camera = chooseCamera(inputs.scene, inputs.compiled, options.camera);
+  const double aspect =
+      options.width > 0 ? static_cast<double>(options.width) / options.height : defaultAspect;
+  view.camera = chooseCamera(inputs.scene, inputs.compiled, options.camera, aspect);
   view.height = options.height;
   view.width =
       options.width > 0 ? options.width : std::min(pictureWidth(view.camera, options.height), maxSize);

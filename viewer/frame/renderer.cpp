@@ -6,6 +6,7 @@
 #include "prelight/error.h"
 #include "viewer/frame/frame_block.h"
 #include "viewer/lights/light_block.h"
+#include "viewer/programs/sliced_drawing.h"
 
 namespace prelight::viewer {
 namespace {
@@ -280,6 +281,19 @@ void Renderer::clearToSky(const View& view, const BatchLook& look) const {
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target,
                     const LayerRequest& layers) {
+  drawView({view, tile, target, pace_, layers.drawn ? &layers : nullptr}).finish();
+}
+
+SlicedWork Renderer::drawSliced(View view, const gl::Framebuffer& target, double seconds,
+                                std::function<void(const SampleRect&)> drawn) {
+  PicturePace pace = pace_;
+  pace.slice = seconds;
+  SlicedWork work = drawView({view, {0, 0, view.width, view.height}, target, pace, nullptr, drawn});
+  while (work.goOn()) co_await endOfSlice;
+}
+
+SlicedWork Renderer::drawView(TileRequest request) {
+  const View& view = request.view;
   requireOffered(inputs_, view.shading);
   const FramePassObserver passed = observer_ ? observer_ : nobody;
   const Illumination light = illuminationOf(view);
@@ -287,9 +301,17 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   if (!showsAllLight(view.shading)) passed({FramePass::Transfer});
   shown_ = view.shading;
   const Passes passes = passesOf(view.shading);
-  const PictureState picture{view, light, transfer, pace_, passed};
+  const PictureState picture{view, light, transfer, request.pace, passed};
   for (TechniquePass* pass : passes) pass->prepare(picture, *this);
-  drawScene({picture, passes, {}, false, layers.drawn ? &layers : nullptr}, tile, target);
+  while (request.pace.slice < PictureSlices::unbounded && isBehind()) {
+    gl::Framebuffer::finish();
+    co_await endOfSlice;
+    if (DrawnTransfer* behind = drawnOf(view.shading).transfer.get()) behind->prepare(picture);
+    for (TechniquePass* pass : passes) pass->prepare(picture, *this);
+  }
+  SlicedWork drawing =
+      drawScene({picture, passes, {}, false, request.layers, request.drawn}, request.tile, request.target);
+  while (drawing.goOn()) co_await endOfSlice;
 }
 
 void Renderer::drawFace(const PictureState& picture, const SceneFace& face, const gl::Framebuffer& target) {
@@ -298,9 +320,12 @@ void Renderer::drawFace(const PictureState& picture, const SceneFace& face, cons
   seen.width = seen.height = face.side;
   seen.layers = wholePicture;
   seen.debug = {};
-  const PictureState shown{seen, picture.light, picture.transfer, picture.pace, nobody};
-  drawScene({shown, passesOf(seen.shading), face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side},
-            target);
+  PicturePace pace = picture.pace;
+  pace.slice = PictureSlices::unbounded;
+  const PictureState shown{seen, picture.light, picture.transfer, pace, nobody};
+  const Passes passes = passesOf(seen.shading);
+  drawScene({shown, passes, face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side}, target)
+      .finish();
 }
 
 TileLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const {
@@ -341,32 +366,37 @@ void Renderer::drawBatches(const Passes& passes, const std::vector<const Batch*>
   }
 }
 
-void Renderer::drawScene(const Drawing& drawing, const Tile& tile, const gl::Framebuffer& target) {
+SlicedWork Renderer::drawScene(Drawing drawing, Tile tile, const gl::Framebuffer& target) {
   const View& view = drawing.picture.view;
   const std::vector<ShadedLight> lights = shownLights(drawing);
   const DrawOrder order = orderOf(drawing);
   TileLook look = lookOf(drawing, lights);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
-  glFrontFace(GL_CCW);
-  glCullFace(GL_BACK);
-  for (TechniquePass* pass : drawing.passes)
-    pass->drawTile({drawing.picture, tile, target, order.opaque, lights}, *this, look);
+  for (TechniquePass* pass : drawing.passes) {
+    useSurfaceState();
+    SlicedWork ofPass = pass->drawTile({drawing.picture, tile, target, order.opaque, lights}, *this, look);
+    while (ofPass.goOn()) co_await endOfSlice;
+  }
   const int samples = target.width() / tile.width;
   const DrawnTransfer* transfer = drawing.picture.transfer;
   const int turns = !drawing.leftOut.any() ? std::max(samples, view.draft ? turnsInDrafts : 1)
                     : transfer != nullptr  ? transfer->turnsInFaces()
                                            : DrawnTransfer::usualTurnsInFaces;
-  useFrame(view, tile, lights, turns);
-  bindTextures(view);
-  for (const TechniquePass* pass : drawing.passes) pass->bindTextures();
-  target.bind();
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
-  if (!debug_.replacesSurfaces(view)) drawOrdered(drawing, order, look, drawing.picture.passed);
+  const double slice = drawing.picture.pace.slice;
+  SlicedWork surfaces = drawInSlices(target.width(), target.height(), slice, [&](const SampleRect& rect) {
+    useSurfaceState();
+    useFrame(view, tile, lights, turns);
+    bindTextures(view);
+    for (const TechniquePass* pass : drawing.passes) pass->bindTextures();
+    target.bind();
+    if (!debug_.replacesSurfaces(view)) drawOrdered(drawing, order, look, drawing.picture.passed);
+    if (drawing.drawn) drawing.drawn(rect);
+  });
+  while (surfaces.goOn()) co_await endOfSlice;
   debug_.draw({view, tile, target, order, *this});
+  if (drawing.drawn && view.debug.shown != DebugView::None)
+    drawing.drawn({0, 0, target.width(), target.height()});
   if (drawing.layers != nullptr) drawLayers(drawing, order, std::move(look), target);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -46,6 +47,12 @@ class Renderer final : private SceneDrawer {
 
   /// Draws the tile and then its layers, one after the other, into the same target.
   void draw(const View& view, const Tile& tile, const gl::Framebuffer& target, const LayerRequest& layers);
+
+  /// Draws all of a view as draw() does, in slices of about `seconds`, of which each that has pixels of the
+  /// picture is told of. What shadow maps and environment maps lack is drawn before, in slices, too. Nothing
+  /// else may be drawn or changed until the work is done or destroyed. `target` outlives the work.
+  SlicedWork drawSliced(View view, const gl::Framebuffer& target, double seconds,
+                        std::function<void(const SampleRect&)> drawn);
 
   /// Layers that pictures of a view have; debug views have none.
   std::vector<DrawnLayer> layersOf(const View& view) const {
@@ -109,7 +116,18 @@ class Renderer final : private SceneDrawer {
     const Passes& passes;
     LeftOut leftOut = {};  ///< of a cube map
     bool withoutEmission = false;
-    const LayerRequest* layers = nullptr;  ///< nullptr: none but the picture itself
+    const LayerRequest* layers = nullptr;               ///< nullptr: none but the picture itself
+    std::function<void(const SampleRect&)> drawn = {};  ///< is told of slices; empty: nobody is
+  };
+
+  /// Inputs of drawView(): a tile of a view, and how it is drawn.
+  struct TileRequest {
+    const View& view;
+    Tile tile;
+    const gl::Framebuffer& target;
+    PicturePace pace;
+    const LayerRequest* layers = nullptr;
+    std::function<void(const SampleRect&)> drawn = {};
   };
 
   void drawFace(const PictureState& picture, const SceneFace& face, const gl::Framebuffer& target) override;
@@ -129,7 +147,8 @@ class Renderer final : private SceneDrawer {
   ShaderVariant variantOf(const Drawing& drawing, std::span<const ShadedLight> lights) const;
   TileLook lookOf(const Drawing& drawing, std::span<const ShadedLight> lights) const;
   DrawOrder orderOf(const Drawing& drawing) const;
-  void drawScene(const Drawing& drawing, const Tile& tile, const gl::Framebuffer& target);
+  SlicedWork drawView(TileRequest request);
+  SlicedWork drawScene(Drawing drawing, Tile tile, const gl::Framebuffer& target);
   void drawOrdered(const Drawing& drawing, const DrawOrder& order, const TileLook& look,
                    const FramePassObserver& passed);
   void drawLayers(const Drawing& drawing, const DrawOrder& order, TileLook look,

@@ -7,6 +7,15 @@
 
 namespace prelight::viewer {
 
+void useSurfaceState() {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glFrontFace(GL_CCW);
+  glCullFace(GL_BACK);
+}
+
 BatchDrawer::BatchDrawer(const RenderScene& scene, const Encoding* encoding)
     : scene_(scene), programs_(encoding) {
   materialsChanged();

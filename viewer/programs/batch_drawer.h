@@ -11,6 +11,9 @@
 
 namespace prelight::viewer {
 
+/// Sets the state of OpenGL in which opaque surfaces are drawn.
+void useSurfaceState();
+
 /// How batches are drawn.
 struct BatchLook {
   const char* shader = "";                  ///< of fragments

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "prelight/plan.h"
+#include "viewer/core/picture_slices.h"
 #include "viewer/core/render_inputs.h"
+#include "viewer/core/sliced_work.h"
 #include "viewer/core/uniform_blocks.h"
 #include "viewer/core/view_state.h"
 #include "viewer/gl/framebuffer.h"
@@ -23,6 +25,8 @@ class DrawnTransfer;
 struct PicturePace {
   bool spread = false;  ///< many shadow maps and environment maps are redrawn over several pictures
   bool joined = false;  ///< occlusion that is the mean of several pictures takes those drawn before
+  double slice =
+      PictureSlices::unbounded;  ///< s that a slice of the picture may take; SlicedWork pauses then
 };
 
 /// A picture that is about to be drawn, or one of the cube map faces that it needs.
@@ -91,8 +95,9 @@ class TechniquePass : public SurfaceInput {
   /// Adds the features of programs that read it.
   virtual void addFeatures(Features&) const {}
 
-  /// Draws what the surfaces of a tile read, and says how they are drawn then.
-  virtual void drawTile(const TileState&, SceneDrawer&, TileLook&) {}
+  /// Draws what the surfaces of a tile read, and says how they are drawn then. Between two slices others may
+  /// draw, but not a picture.
+  virtual SlicedWork drawTile(TileState, SceneDrawer&, TileLook&) { co_return; }
 
   /// Binds the textures that stay bound while surfaces are drawn.
   virtual void bindTextures() const {}

@@ -109,7 +109,7 @@ void addCameras(const RenderInputs& inputs, PageScene& page) {
                     {"zFar", camera.zFar}});
   };
   for (const Camera& camera : inputs.scene.cameras) add(camera);
-  if (list.empty()) add(chooseCamera(inputs.scene, inputs.compiled, std::nullopt));
+  if (list.empty()) add(chooseCamera(inputs.scene, inputs.compiled, std::nullopt, 1.0));
   const BoundingSphere sphere = boundingSphere(inputs.compiled);
   page.description["cameras"] = list;
   page.description["sphere"] = {{"centre", numbersOf(sphere.centre)},

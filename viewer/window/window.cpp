@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prelight/error.h"
@@ -30,7 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double settleTime = 0.2;  ///< seconds without a change until a picture gets all its samples
+constexpr double settleTime = 0.2;  ///< s without a change until a picture gets all its samples
+constexpr double shownEvery =
+    0.1;  ///< s until further slices of a picture that nothing else changes are shown
 constexpr double countedFrame = 1.0 / 60.0;  ///< s that pass in a frame of a window that counts them
 
 std::string glfwReason() {
@@ -144,11 +147,16 @@ class EventRouter {
 
   void attach(Overlay& overlay) { overlay_ = &overlay; }
 
+  /// Whether the user has done anything since the last call.
+  bool takeInput() { return std::exchange(hasInput_, false); }
+
   const std::optional<std::filesystem::path>& dropped() const { return dropped_; }
 
  private:
   static EventRouter& self(GLFWwindow* window) {
-    return *static_cast<EventRouter*>(glfwGetWindowUserPointer(window));
+    auto& router = *static_cast<EventRouter*>(glfwGetWindowUserPointer(window));
+    router.hasInput_ = true;
+    return router;
   }
 
   void key(int key, int action) {
@@ -189,6 +197,7 @@ class EventRouter {
   GLFWwindow* window_;
   Controls& controls_;
   Overlay* overlay_ = nullptr;
+  bool hasInput_ = false;
   Drag drag_ = Drag::None;
   glm::dvec2 cursor_{0.0};
   std::optional<std::filesystem::path> dropped_;
@@ -247,47 +256,102 @@ View exposedView(const Controls& controls, double exposure) {
   return view;
 }
 
-void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePicture& picture,
-             PosedScene& scene, SceneFollower& follower, Overlay& overlay, const Showing& showing) {
-  const int frames = showing.frames;
-  const Presenter presenter;
-  auto lastChange = Clock::now(), lastFrame = lastChange;
-  std::size_t seen = controls.changes();
-  bool followed = false;
-  for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
-       ++frame) {
-    if (frames > 0 || !picture.isFinal(controls.changes()) || followed || follower.isBusy(controls.view()) ||
-        controls.playback().plays() || frame < 3) {
-      glfwPollEvents();
-    } else {
-      glfwWaitEventsTimeout(0.25);
-      lastFrame = Clock::now();  // what plays from now on has not played meanwhile
+double secondsSince(Clock::time_point then) {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+/// The parts of a window that its loop keeps up to date.
+struct LiveWindow {
+  GLFWwindow* window;
+  EventRouter& router;
+  Controls& controls;
+  Renderer& renderer;
+  LivePicture& picture;
+  PosedScene& scene;
+  SceneFollower& follower;
+  Overlay& overlay;
+};
+
+/// Draws what has changed in the window, a slice of its picture at least. Returns false where all is shown
+/// and stays as it is until the user does something.
+class WindowLoop {
+ public:
+  WindowLoop(const LiveWindow& parts, const Showing& showing) : parts_(parts), showing_(showing) {}
+
+  void run() {
+    const int frames = showing_.frames;
+    for (int frame = 0; glfwWindowShouldClose(parts_.window) == GLFW_FALSE && (frames == 0 || frame < frames);
+         ++frame) {
+      takeEvents(frames > 0 || frame < 3);
+      if (!fitToWindow()) continue;  // minimised
+      update();
+      show(frames > 0);
+      const auto now = Clock::now();
+      if (frames == 0)
+        parts_.controls.passTime(std::chrono::duration<double>(now - lastFrame_).count());
+      else if (frame + 1 < frames)
+        parts_.controls.playOn(countedFrame);
+      lastFrame_ = now;
     }
+  }
+
+ private:
+  /// Waits for an event where nothing changes by itself.
+  void takeEvents(bool goesOn) {
+    const bool rests = isShown_ && parts_.picture.isFinal(parts_.controls.changes()) && !isLit_ &&
+                       !parts_.renderer.isBehind() && !parts_.follower.isBusy(parts_.controls.view()) &&
+                       !parts_.controls.playback().plays();
+    if (goesOn || !rests) return glfwPollEvents();
+    glfwWaitEventsTimeout(0.25);
+    lastFrame_ = Clock::now();  // what plays from now on has not played meanwhile
+  }
+
+  bool fitToWindow() {
     int width = 0;
     int height = 0;
-    glfwGetFramebufferSize(window, &width, &height);
-    if (width < 1 || height < 1) continue;  // minimised
-    controls.resize(width, height);
-    if (controls.changes() != seen) {
-      seen = controls.changes();
-      lastChange = Clock::now();
-    }
-    followed = follower.update(controls) || renderer.isBehind();
-    tellNotes(scene, showing);
-    if (followed) picture.invalidate();
-    const bool settled = std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime;
-    picture.update(exposedView(controls, showing.exposure), controls.changes(), settled);
-    presenter.present(picture.target(), picture.samples(), 0, static_cast<float>(showing.exposure));
-    overlay.draw(controls, picture.lastSeconds());
-    glfwSwapBuffers(window);
-    const auto now = Clock::now();
-    if (frames == 0)
-      controls.passTime(std::chrono::duration<double>(now - lastFrame).count());
-    else if (frame + 1 < frames)
-      controls.playOn(countedFrame);
-    lastFrame = now;
+    glfwGetFramebufferSize(parts_.window, &width, &height);
+    if (width < 1 || height < 1) return false;
+    parts_.controls.resize(width, height);
+    return true;
   }
-}
+
+  /// Brings the picture up to date. Light that changes by itself is shown in drafts until it has settled.
+  void update() {
+    Controls& controls = parts_.controls;
+    LivePicture& picture = parts_.picture;
+    isLit_ = parts_.follower.update(controls);
+    tellNotes(parts_.scene, showing_);
+    if (controls.changes() != seen_ || isLit_) lastChange_ = Clock::now();
+    seen_ = controls.changes();
+    const bool settled = secondsSince(lastChange_) > settleTime && !parts_.follower.isBusy(controls.view());
+    if (isLit_ || (!settled && parts_.renderer.isBehind())) picture.invalidate();
+    if (settled && picture.isFinal(controls.changes()) && parts_.renderer.isBehind()) picture.refineAgain();
+    const bool isDraft = !settled || !picture.isDraft();
+    picture.update(exposedView(controls, showing_.exposure), controls.changes(), settled);
+    isShown_ = isShown_ && !isDraft && !picture.isDraft();
+    mustShow_ = isDraft || !picture.isDraft();
+  }
+
+  /// Slices are so short that it would take long to show each.
+  void show(bool always) {
+    const bool input = parts_.router.takeInput();
+    if (!always && !input && !mustShow_ && secondsSince(lastShown_) < shownEvery) return;
+    presenter_.present(parts_.picture.shown(), 1, 0, static_cast<float>(showing_.exposure));
+    parts_.overlay.draw(parts_.controls, parts_.picture.lastSeconds());
+    glfwSwapBuffers(parts_.window);
+    lastShown_ = Clock::now();
+    isShown_ = true;
+  }
+
+  LiveWindow parts_;
+  const Showing& showing_;
+  Presenter presenter_;
+  Clock::time_point lastChange_ = Clock::now(), lastFrame_ = lastChange_, lastShown_ = lastChange_;
+  std::size_t seen_ = 0;
+  bool isLit_ = false;    ///< the last update has changed the light
+  bool mustShow_ = true;  ///< the last update has drawn a draft, or the last slice
+  bool isShown_ = false;  ///< the window shows what was last drawn
+};
 
 }  // namespace
 
@@ -319,7 +383,7 @@ std::optional<std::filesystem::path> runViewer(const ViewerInputs& inputs, const
   if (!options.exposure && options.metered) options.metered(showing.exposure);
   renderer.paceUpdates(true);  // after metering, which a draft would mislead
   renderer.reuseOcclusion(true);
-  runLoop(window.get(), controls, renderer, picture, scene, follower, overlay, showing);
+  WindowLoop({window.get(), router, controls, renderer, picture, scene, follower, overlay}, showing).run();
   if (!router.dropped() && !options.screenshotPath.empty()) {
     renderer.paceUpdates(false);
     renderer.reuseOcclusion(false);

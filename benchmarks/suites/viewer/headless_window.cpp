@@ -160,8 +160,11 @@ bool HeadlessWindow::play() {
 
 void HeadlessWindow::frame(bool settled) {
   if (follower_.update(controls_) || renderer_.isBehind()) picture_.invalidate();
-  picture_.update(controls_.view(), controls_.changes(), settled);
-  presenter_.present(picture_.target(), picture_.samples(), screen_->name());
+  if (settled)
+    picture_.finish(controls_.view(), controls_.changes());
+  else
+    picture_.update(controls_.view(), controls_.changes(), false);
+  presenter_.present(picture_.shown(), 1, screen_->name());
   viewer::gl::Framebuffer::finish();
 }
 

@@ -6,48 +6,29 @@
 #include "images/pixels.h"
 
 namespace prelight::cli {
-namespace {
-
-/// Notes that much of a picture is burnt out. Lamps in physical units may be thousands of times too bright
-/// for one.
-void noteBurntPicture(Session& session, const Picture& picture) {
-  constexpr double likely = 0.125;
-  const double metered = meteredExposure(picture);
-  if (metered > likely) return;
-  session.note(fmt::format("the picture is far too bright: --exposure {:g} suits it (or auto)", metered));
-}
-
-}  // namespace
 
 void addExposureOption(CLI::App& app, ExposureOption& option) {
   app.add_option_function<std::string>(
          "--exposure",
          [&](const std::string& text) {
-           option.automatic = text == "auto";
-           if (option.automatic) return;
-           option.factor = parseRealNumber("--exposure", text, {leastExposure, mostExposure}, ", or auto");
+           option.given = true;
+           option.factor.reset();
+           if (text != "auto")
+             option.factor = parseRealNumber("--exposure", text, {leastExposure, mostExposure}, ", or auto");
          },
-         "factor for radiance in .png and windows, or auto, metered from the picture (default: auto in the "
-         "studio, else 1)")
+         "factor for radiance in .png and windows, or auto, metered from the picture (default: auto)")
       ->type_name("N|auto");
-}
-
-std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio) {
-  if (option.automatic || (studio && !option.factor)) return std::nullopt;
-  return option.factor.value_or(1.0);
 }
 
 bool takesLayers(const std::filesystem::path& output) { return lowerExtension(output) == ".exr"; }
 
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const pictures::LayeredPicture& layered, const ExposureOption& option,
-                                   bool studio) {
+                                   const pictures::LayeredPicture& layered, const ExposureOption& option) {
   const Picture& picture = layered.picture;
   std::optional<double> exposure;
   if (!takesLayers(output)) {
-    const std::optional<double> asked = exposureAskedFor(option, studio);
-    exposure = asked ? *asked : meteredExposure(picture);
-  } else if (option.factor || option.automatic) {
+    exposure = option.factor ? *option.factor : meteredExposure(picture);
+  } else if (option.given) {
     session.warn(
         "--exposure: ignored for .exr, which holds radiance as it is; it applies to .png and windows");
   }
@@ -60,8 +41,7 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
         writePicture(output, picture, layered.layers);
     });
   }
-  if (exposure && !exposureAskedFor(option, studio)) noteExposure(session, *exposure);
-  if (exposure && !option.factor && !option.automatic && !studio) noteBurntPicture(session, picture);
+  if (exposure && !option.factor) noteExposure(session, *exposure);
   return exposure;
 }
 

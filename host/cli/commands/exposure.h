@@ -14,8 +14,8 @@ namespace prelight::cli {
 
 /// The exposure with which radiance is shown in a .png or a window.
 struct ExposureOption {
-  std::optional<double> factor;  ///< factor for radiance; none: metered in a studio, else 1
-  bool automatic = false;        ///< metered in every picture
+  std::optional<double> factor;  ///< factor for radiance; none: metered from the picture
+  bool given = false;            ///< the command line has the option
 };
 
 /// Adds --exposure.
@@ -25,13 +25,9 @@ void addExposureOption(CLI::App& app, ExposureOption& option);
 bool takesLayers(const std::filesystem::path& output);
 
 /// Writes a picture: an .exr as it is with its layers, a .png with the exposure that was asked for or that
-/// suits it, with a note unless it is 1. Returns the exposure, or none for an .exr.
+/// suits it, with a note where it was metered. Returns the exposure, or none for an .exr.
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const pictures::LayeredPicture& layered, const ExposureOption& option,
-                                   bool studio);
-
-/// Returns the factor that .png and windows are to show radiance with; none: the one that suits the picture.
-std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio);
+                                   const pictures::LayeredPicture& layered, const ExposureOption& option);
 
 /// Tells of an exposure that was metered.
 void noteExposure(Session& session, double exposure);

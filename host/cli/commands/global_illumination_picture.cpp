@@ -182,8 +182,7 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& ask
   TracedPicture made = tracePicture(session, options, loaded, setUp, denoising, opening);
   const LayeredPicture& picture = made.layered;
   requireFinite(output, picture.picture);
-  const std::optional<double> exposure =
-      writeExposed(session, output, picture, options.exposure, setUp.sky.studio);
+  const std::optional<double> exposure = writeExposed(session, output, picture, options.exposure);
   warnOfDarkness(session, picture.picture, loaded, made.camera,
                  {made.lights, setUp.sky.map ? &*setUp.sky.map : nullptr, !options.render.lights});
   printDenoiser(session.console(), denoising);
@@ -208,8 +207,6 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
   now.pose.at = moments.front().seconds;
   poseForPicture(session, now.pose, first);
   PictureSetUp setUp = setUpPicture(session, options, first);
-  if (first.scene.cameras.empty())
-    setUp.camera = viewer::chooseCamera(first.scene, first.compiled, options.render.camera);
   std::optional<double> exposure;
   TracedPicture made;
   for (std::size_t frame = 0; frame < moments.size(); ++frame) {
@@ -219,8 +216,8 @@ void renderGlobalIlluminationSequence(Session& session, const PictureOptions& op
     made = tracePicture(session, now, loaded, setUp, denoising, opening);
     const LayeredPicture& picture = made.layered;
     requireFinite(names.of(frame), picture.picture);
-    exposure = writeExposed(session, names.of(frame), picture, now.exposure, setUp.sky.studio);
-    if (exposure) now.exposure = {.factor = *exposure};  // the first picture's exposure serves all
+    exposure = writeExposed(session, names.of(frame), picture, now.exposure);
+    if (exposure) now.exposure.factor = *exposure;  // the first picture's exposure serves all
   }
   printDenoiser(session.console(), denoising);
   printSummary(made.request, made.report, names.of(moments.size() - 1), session);

@@ -86,8 +86,8 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
                          const std::vector<PictureChannel>& layers) {
     session.progress().check();
     requireFinite(names.of(frame), picture);
-    chosen = writeExposed(session, names.of(frame), {picture, layers}, exposure, shaded.studio);
-    if (chosen) exposure = {.factor = *chosen};  // the first picture's exposure serves all
+    chosen = writeExposed(session, names.of(frame), {picture, layers}, exposure);
+    if (chosen) exposure.factor = *chosen;  // the first picture's exposure serves all
   };
   session.times().measure("render", [&] {
     viewer::renderFrames(shaded.inputs(), shaded.render, shaded.poseSources(options.pose), moments, write,

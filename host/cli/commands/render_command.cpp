@@ -108,7 +108,7 @@ void runRender(const RenderCommand& asked, Context& context) {
   const Picture& picture = drawn.layered.picture;
   requireFinite(command.output, picture);
   const std::optional<double> exposure =
-      writeExposed(session, command.output, drawn.layered, command.picture.exposure, drawn.shaded.studio);
+      writeExposed(session, command.output, drawn.layered, command.picture.exposure);
   pictures::warnOfPicture(session, command.picture, drawn);
   tellOfDrawing(command, drawn, exposure, session);
 }

@@ -85,7 +85,7 @@ std::optional<std::filesystem::path> showScene(const ViewCommand& command, Conte
   options.title = "prelight: " + command.picture.scene.filename().string();
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
-  options.exposure = exposureAskedFor(command.picture.exposure, shaded.studio);
+  options.exposure = command.picture.exposure.factor;
   options.pose = shaded.poseSources(command.picture.pose);
   options.play = playOptions(command, shaded);
   options.note = [&](const std::string& note) { session.console().note(note); };

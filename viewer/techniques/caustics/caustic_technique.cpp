@@ -27,7 +27,7 @@ class CausticTechnique final : public TechniquePass {
   }
 
   void addFeatures(Features& features) const override { features.add(Feature::Caustics, !empty()); }
-  void drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) override;
+  SlicedWork drawTile(TileState tile, SceneDrawer& drawer, TileLook& look) override;
   void takeLight(const FoundLight& light) override {
     if (light.caustics != nullptr) show(*light.caustics);
   }
@@ -47,8 +47,8 @@ class CausticTechnique final : public TechniquePass {
   std::unique_ptr<CausticPass> pass_;  ///< made with the first photons
 };
 
-void CausticTechnique::drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) {
-  if (empty()) return;
+SlicedWork CausticTechnique::drawTile(TileState tile, SceneDrawer& drawer, TileLook& look) {
+  if (empty()) co_return;
   const View& view = tile.picture.view;
   const int samples = tile.target.width() / tile.tile.width;
   const double pixelWidth = 2.0 * halfHeightOf(view.camera) / view.height;
@@ -69,6 +69,10 @@ void CausticTechnique::drawTile(const TileState& tile, SceneDrawer& drawer, Tile
   // Caustics lie on what is opaque.
   look.opaque.causticCorner = {CausticPass::margin, CausticPass::margin, 0, samples};
   tile.picture.passed({FramePass::Caustics});
+  if (tile.picture.pace.slice < PictureSlices::unbounded) {
+    gl::Framebuffer::finish();
+    co_await endOfSlice;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "viewer/core/uniform_blocks.h"
 #include "viewer/programs/drawn_transfer.h"
+#include "viewer/programs/sliced_drawing.h"
 #include "viewer/techniques/screen/disks/disk_occlusion.h"
 #include "viewer/techniques/screen/fields/field_occlusion.h"
 #include "viewer/techniques/screen/occlusion_target.h"
@@ -116,19 +117,20 @@ const gl::Program& OcclusionPass::filterOf(int outputs) {
   return filters_.emplace(outputs, std::move(program)).first->second;
 }
 
-/// Finds occlusion in the picture and `around` samples of its margin, and returns both.
-const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int around,
-                                           const ScreenOcclusionOptions& options, const OcclusionLight& light,
-                                           int turn, Targets& targets) {
-  const gl::Framebuffer& first = *layers_[0];
-  gl::bind(firstLayerUnit, GL_TEXTURE_2D, first.color());
-  const int layers = layersOf(options);
-  if (layers > 1 || options.method == OcclusionMethod::Fields)
+void OcclusionPass::bindLayers(const ScreenOcclusionOptions& options) const {
+  gl::bind(firstLayerUnit, GL_TEXTURE_2D, layers_[0]->color());
+  if (layersOf(options) > 1 || options.method == OcclusionMethod::Fields)
     gl::bind(secondLayerUnit, GL_TEXTURE_2D, layers_[1]->color());
   if (gathers(options)) gl::bind(sentUnit, GL_TEXTURE_2D, sent_->color());
+}
+
+/// Finds occlusion in the picture and `around` samples of its margin, and filters it.
+SlicedWork OcclusionPass::find(OcclusionPicture picture, int around, ScreenOcclusionOptions options,
+                               OcclusionLight light, int turn, Targets& targets) {
+  const gl::Framebuffer& first = *layers_[0];
+  const int layers = layersOf(options), outputs = outputsOf(options);
   const Grid grid = gridOf(picture, around + filterReach * options.stride, options.stride);
   const glm::vec4 screen(first.width(), first.height(), picture.radius, picture.margin);
-  const int outputs = outputsOf(options);
 
   const gl::Program& program =
       programOf({options.method, layers, layers > 1 && options.thickness > 0.0, gathers(options), light});
@@ -144,7 +146,12 @@ const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int 
   DiskOcclusion::setUniforms(program, options, picture.radius, disksUnit);
   FieldOcclusion::setUniforms(program, fieldsUnit);
   const gl::Framebuffer& found = fitted(targets.found, grid.size.x, grid.size.y, outputs);
-  drawOver(found, noVertices_);
+  SlicedWork finding = drawInSlices(grid.size.x, grid.size.y, picture.slice, [&](const SampleRect&) {
+    bindLayers(options);
+    program.use();
+    drawOver(found, noVertices_);
+  });
+  while (finding.goOn()) co_await endOfSlice;
 
   const gl::Program& filter = filterOf(outputs);
   filter.use();
@@ -155,14 +162,19 @@ const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int 
   bindColors(found, outputs, foundUnit);
   const gl::Framebuffer& filtered =
       fitted(targets.filtered, picture.width + 2 * around, picture.height + 2 * around, outputs);
-  drawOver(filtered, noVertices_);
+  SlicedWork filtering =
+      drawInSlices(filtered.width(), filtered.height(), picture.slice, [&](const SampleRect&) {
+        bindLayers(options);
+        filter.use();
+        drawOver(filtered, noVertices_);
+      });
+  while (filtering.goOn()) co_await endOfSlice;
+  bindLayers(options);
   gl::check("drawing screen-space occlusion");
-  return filtered;
 }
 
-const gl::Framebuffer& OcclusionPass::drawSenders(const OcclusionPicture& picture,
-                                                  const ScreenOcclusionOptions& options,
-                                                  const OcclusionLight& light) {
+SlicedWork OcclusionPass::drawSenders(OcclusionPicture picture, ScreenOcclusionOptions options,
+                                      OcclusionLight light) {
   ScreenOcclusionOptions coarse = options;
   coarse.bounces = 0;
   coarse.filtered = true;
@@ -171,9 +183,8 @@ const gl::Framebuffer& OcclusionPass::drawSenders(const OcclusionPicture& pictur
   return find(picture, picture.margin, coarse, light, 0, ofSenders_);
 }
 
-const gl::Framebuffer& OcclusionPass::draw(const OcclusionPicture& picture,
-                                           const ScreenOcclusionOptions& options, const OcclusionLight& light,
-                                           int turn) {
+SlicedWork OcclusionPass::draw(OcclusionPicture picture, ScreenOcclusionOptions options, OcclusionLight light,
+                               int turn) {
   return find(picture, 0, options, light, turn, ofPicture_);
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "viewer/core/occlusion_options.h"
+#include "viewer/core/picture_slices.h"
+#include "viewer/core/sliced_work.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/programs/shader_variant.h"
@@ -19,6 +21,7 @@ struct OcclusionPicture {
   int margin = 0;        ///< of what lies around it and may occlude
   glm::ivec2 origin{0};  ///< of its lower left corner in the whole picture, of which it may be a tile
   double radius = 0.0;   ///< m
+  double slice = PictureSlices::unbounded;  ///< s that a slice of its occlusion may take
 };
 
 /// The light of a picture, as far as Ssdo has programs of their own for it.
@@ -52,9 +55,8 @@ class OcclusionPass {
   static int outputsOf(const ScreenOcclusionOptions& options);
 
   /// Finds the light of what sends some, so that it can be drawn into sent(): the picture with its margin.
-  /// `textures` are those of draw().
-  const gl::Framebuffer& drawSenders(const OcclusionPicture& picture, const ScreenOcclusionOptions& options,
-                                     const OcclusionLight& light);
+  SlicedWork drawSenders(OcclusionPicture picture, ScreenOcclusionOptions options, OcclusionLight light);
+  const gl::Framebuffer& ofSenders() const { return *ofSenders_.filtered; }
 
   /// The target into which surfaces have to be drawn, cleared to 0, before draw() gathers it; as large as a
   /// layer.
@@ -62,11 +64,11 @@ class OcclusionPass {
 
   /// The Frame block in use is of the picture with its margin; of Ssdo, the Lights block is that of the
   /// picture, and the sky's map is bound. `turn`: number of the picture among those whose mean is taken.
-  /// Returns outputsOf(options) pictures of every sample. First: mean open direction (of Gtao and Disks, else
-  /// 0), scene coordinates, or of Ssdo the sky's irradiance over pi; accessibility. Second, of Ssdo: which
-  /// share of each lamp arrives. Third: irradiance over pi from surfaces.
-  const gl::Framebuffer& draw(const OcclusionPicture& picture, const ScreenOcclusionOptions& options,
-                              const OcclusionLight& light, int turn);
+  /// Draws found(): outputsOf(options) pictures of every sample. First: mean open direction (of Gtao and
+  /// Disks, else 0), scene coordinates, or of Ssdo the sky's irradiance over pi; accessibility. Second, of
+  /// Ssdo: which share of each lamp arrives. Third: irradiance over pi from surfaces.
+  SlicedWork draw(OcclusionPicture picture, ScreenOcclusionOptions options, OcclusionLight light, int turn);
+  const gl::Framebuffer& found() const { return *ofPicture_.filtered; }
 
  private:
   /// The constants that a program is compiled for.
@@ -87,9 +89,9 @@ class OcclusionPass {
 
   const gl::Program& programOf(const Variant& variant);
   const gl::Program& filterOf(int outputs);
-  const gl::Framebuffer& find(const OcclusionPicture& picture, int around,
-                              const ScreenOcclusionOptions& options, const OcclusionLight& light, int turn,
-                              Targets& targets);
+  SlicedWork find(OcclusionPicture picture, int around, ScreenOcclusionOptions options, OcclusionLight light,
+                  int turn, Targets& targets);
+  void bindLayers(const ScreenOcclusionOptions& options) const;
 
   std::map<Variant, gl::Program> programs_;  ///< made when first needed
   std::map<int, gl::Program> filters_;       ///< [outputs]

@@ -8,6 +8,7 @@
 #include "viewer/core/view_state.h"
 #include "viewer/lights/illumination.h"
 #include "viewer/programs/drawn_shading.h"
+#include "viewer/programs/sliced_drawing.h"
 #include "viewer/programs/technique_pass.h"
 #include "viewer/techniques/screen/disks/disk_occlusion.h"
 #include "viewer/techniques/screen/fields/field_occlusion.h"
@@ -32,8 +33,10 @@ struct ScreenTile {
   bool isAllOfView = false;
 };
 
-ScreenTile screenTileOf(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                        const CompiledScene& scene) {
+ScreenTile screenTileOf(const TileState& state, const CompiledScene& scene) {
+  const View& view = state.picture.view;
+  const Tile& tile = state.tile;
+  const gl::Framebuffer& target = state.target;
   const int samples = target.width() / tile.width;
   const double radius = occlusionRadius(view.screenOcclusion, scene);
   const ScreenOcclusionOptions options = view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion;
@@ -41,7 +44,7 @@ ScreenTile screenTileOf(const View& view, const Tile& tile, const gl::Framebuffe
       looksAround(options) ? occlusionMargin(view, samples, radius, scene) : OcclusionPass::filterReach;
   const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
   return {options,
-          {target.width(), target.height(), around * samples, origin, radius},
+          {target.width(), target.height(), around * samples, origin, radius, state.picture.pace.slice},
           {tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around},
           samples,
           tile.width == view.width && tile.height == view.height};
@@ -62,20 +65,22 @@ class ScreenShading final : public TechniquePass {
       : scene_(of.inputs.compiled), device_(of.inputs.device), batches_(of.batches) {}
 
   /// Leaves what is found of every sample of the tile bound for surface.frag.
-  void drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) override;
+  SlicedWork drawTile(TileState tile, SceneDrawer& drawer, TileLook& look) override;
+  void prepare(const PictureState&, SceneDrawer&) override { isBehind_ = false; }
   void sceneMoved() override;
 
   /// The next picture of the same view joins more of them.
   bool isBehind() const override { return isBehind_; }
 
  private:
-  void draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque, const ScreenLook& shown,
-            bool joins);
-  void drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque);
+  SlicedWork draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque, const ScreenLook& shown,
+                  bool joins);
+  SlicedWork drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque);
+  SlicedWork drawSent(const ScreenTile& tile, const std::vector<const Batch*>& opaque,
+                      const ScreenLook& shown, const OcclusionLight& light);
   void prepareScene(const ScreenTile& tile, const std::vector<const Batch*>& opaque);
   OcclusionLight lightOf(const ScreenTile& tile, const ScreenLook& shown);
-  const gl::Framebuffer& found(const ScreenTile& tile, const OcclusionLight& light, const FrameBlock& frame,
-                               bool goesOn);
+  SlicedWork find(const ScreenTile& tile, const OcclusionLight& light, const FrameBlock& frame, bool goesOn);
 
   const CompiledScene& scene_;
   const Device* device_;
@@ -87,6 +92,7 @@ class ScreenShading final : public TechniquePass {
   std::optional<Illumination> light_;  ///< of the last picture that light was found of
   bool moved_ = false;                 ///< the scene has, since occlusion was last found
   bool isBehind_ = false;
+  const gl::Framebuffer* found_ = nullptr;  ///< the occlusion that find() has found
 };
 
 void bindFound(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
@@ -99,14 +105,37 @@ void bindFound(const gl::Framebuffer& found, const ScreenOcclusionOptions& optio
 }  // namespace
 
 /// Draws the surfaces that occlude, or send light, in a picture and around it.
-void ScreenShading::drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque) {
+SlicedWork ScreenShading::drawLayers(const ScreenTile& tile, const std::vector<const Batch*>& opaque) {
   BatchLook look;
   look.shader = "screen_surface.frag";
   for (look.layer = 0; look.layer < layersOf(tile.options); ++look.layer) {
-    if (look.layer > 0)
-      gl::bind(screenInputUnit, GL_TEXTURE_2D, pass_.layer(look.layer - 1, tile.picture).color());
-    batches_.drawInto(pass_.layer(look.layer, tile.picture), opaque, look);
+    const gl::Framebuffer& target = pass_.layer(look.layer, tile.picture);
+    SlicedWork layer =
+        drawInSlices(target.width(), target.height(), tile.picture.slice, [&](const SampleRect&) {
+          if (look.layer > 0)
+            gl::bind(screenInputUnit, GL_TEXTURE_2D, pass_.layer(look.layer - 1, tile.picture).color());
+          useSurfaceState();
+          batches_.drawInto(target, opaque, look);
+        });
+    while (layer.goOn()) co_await endOfSlice;
   }
+}
+
+/// Draws the light that surfaces of a picture and around it send.
+SlicedWork ScreenShading::drawSent(const ScreenTile& tile, const std::vector<const Batch*>& opaque,
+                                   const ScreenLook& shown, const OcclusionLight& light) {
+  SlicedWork finding = pass_.drawSenders(tile.picture, tile.options, light);
+  while (finding.goOn()) co_await endOfSlice;
+  bindFound(pass_.ofSenders(), tile.options);
+  BatchLook senders = shown.look;
+  senders.variant.rules.ambient = screenSender;
+  senders.causticCorner = glm::ivec4(0);
+  const gl::Framebuffer& sent = pass_.sent(tile.picture);
+  SlicedWork sending = drawInSlices(sent.width(), sent.height(), tile.picture.slice, [&](const SampleRect&) {
+    useSurfaceState();
+    batches_.drawInto(sent, opaque, senders);
+  });
+  while (sending.goOn()) co_await endOfSlice;
 }
 
 /// Makes ready what of the scene occludes, seen or not, where a method looks at that.
@@ -137,49 +166,51 @@ OcclusionLight ScreenShading::lightOf(const ScreenTile& tile, const ScreenLook& 
   return light;
 }
 
-/// Returns the occlusion of the picture alone, or joined with pictures before it.
-const gl::Framebuffer& ScreenShading::found(const ScreenTile& tile, const OcclusionLight& light,
-                                            const FrameBlock& frame, bool goesOn) {
+/// Finds the occlusion of the picture alone, or joined with pictures before it.
+SlicedWork ScreenShading::find(const ScreenTile& tile, const OcclusionLight& light, const FrameBlock& frame,
+                               bool goesOn) {
   const int frames = tile.options.frames;
-  if (frames <= 1) return pass_.draw(tile.picture, tile.options, light, 0);
-  if (!goesOn) history_.drop();
-  const gl::Framebuffer* joined = nullptr;
+  const bool joins = frames > 1;
+  if (joins && !goesOn) history_.drop();
   for (int i = 0; i < (goesOn ? 1 : frames); ++i) {
-    const gl::Framebuffer& one = pass_.draw(tile.picture, tile.options, light, history_.turn());
-    joined =
-        &history_.join(one, pass_.layer(0, tile.picture), tile.picture, {frame, frames, goesOn && moved_});
+    SlicedWork finding = pass_.draw(tile.picture, tile.options, light, joins ? history_.turn() : 0);
+    while (finding.goOn()) co_await endOfSlice;
+    found_ = &pass_.found();
+    if (!joins) co_return;
+    found_ = &history_.join(*found_, pass_.layer(0, tile.picture), tile.picture,
+                            {frame, frames, goesOn && moved_});
   }
   isBehind_ = goesOn && history_.stillPictures() < frames;
   moved_ = false;
-  return *joined;
 }
 
-void ScreenShading::drawTile(const TileState& tile, SceneDrawer& drawer, TileLook& look) {
+SlicedWork ScreenShading::drawTile(TileState tile, SceneDrawer& drawer, TileLook& look) {
   const View& view = tile.picture.view;
-  isBehind_ = false;
-  const ScreenTile part = screenTileOf(view, tile.tile, tile.target, scene_);
+  const ScreenTile part = screenTileOf(tile, scene_);
   const FrameBlock frame = drawer.useFrame(view, part.whole, tile.lights, part.samples);
   drawer.bindTextures(view);
-  draw(part, tile.opaque, {frame, look.opaque, tile.picture.light}, tile.picture.pace.joined);
+  const ScreenLook shown{frame, look.opaque, tile.picture.light};
+  SlicedWork drawing = draw(part, tile.opaque, shown, tile.picture.pace.joined);
+  while (drawing.goOn()) co_await endOfSlice;
   if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
     look.opaque.variant.rules.ambient = gathers(view.screenOcclusion) ? screenBounce : screenLight;
   look.blended.variant.rules.ambient = Ambient::Open;  // what was found lies on what is opaque
   tile.picture.passed({FramePass::ScreenOcclusion});
 }
 
-void ScreenShading::draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque,
-                         const ScreenLook& shown, bool joins) {
-  drawLayers(tile, opaque);
+SlicedWork ScreenShading::draw(const ScreenTile& tile, const std::vector<const Batch*>& opaque,
+                               const ScreenLook& shown, bool joins) {
+  SlicedWork layers = drawLayers(tile, opaque);
+  while (layers.goOn()) co_await endOfSlice;
   prepareScene(tile, opaque);
   const OcclusionLight light = lightOf(tile, shown);
   if (gathers(tile.options)) {
-    bindFound(pass_.drawSenders(tile.picture, tile.options, light), tile.options);
-    BatchLook senders = shown.look;
-    senders.variant.rules.ambient = screenSender;
-    senders.causticCorner = glm::ivec4(0);
-    batches_.drawInto(pass_.sent(tile.picture), opaque, senders);
+    SlicedWork sent = drawSent(tile, opaque, shown, light);
+    while (sent.goOn()) co_await endOfSlice;
   }
-  bindFound(found(tile, light, shown.frame, joins && tile.isAllOfView), tile.options);
+  SlicedWork finding = find(tile, light, shown.frame, joins && tile.isAllOfView);
+  while (finding.goOn()) co_await endOfSlice;
+  bindFound(*found_, tile.options);
 }
 
 void ScreenShading::sceneMoved() {
