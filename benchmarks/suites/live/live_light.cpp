@@ -143,6 +143,7 @@ double pictureError(const std::vector<double>& got, const std::vector<double>& t
 
 LiveLightOptions trialOptions(const LiveOptions& options) {
   LiveLightOptions live;
+  live.coarser = 0;
   live.gather.rays = options.liveLightRays;
   live.gather.texelsPerFrame = 100;
   live.causticPhotons = 1000;
@@ -181,7 +182,6 @@ void thinLamps(const std::string& sceneOrFile, const Device& device, const LiveO
     live.photons = photons;
     live.thinBeyond = beyond;
     live.eye = seen.eye();
-    live.estimatesPerFrame = 0;
     return LiveLight(row.scene.scene, compiled, nullptr, 0.0, live, {}, device, progress);
   };
   const std::vector<double> truth = seen.of(make(options.liveLightTruth, 0.0));

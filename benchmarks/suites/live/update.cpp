@@ -98,7 +98,7 @@ LiveLightOptions thesisOptions(ChangeDetection detection) {
   options.groupSize = 40;
   options.detection = detection;
   options.texels = 140;
-  options.estimatesPerFrame = 0;
+  options.coarser = 0;
   options.gather.rays = 1024;
   options.gather.texelsPerFrame = 20;
   options.causticPhotons = 10000;
@@ -248,6 +248,7 @@ class UpdateSuite {
       const bool flights = detection == ChangeDetection::Flights;
       const std::string case_ = scene.name + ", " + node + (flights ? "/flights" : "/probes");
       LiveLightOptions options;
+      options.coarser = 0;
       options.detection = detection;
       options.photons = options_.updatePhotons;
       LiveLight live(scene.scene, scene.compiled, nullptr, 0.0, options, {}, device_, quiet_);

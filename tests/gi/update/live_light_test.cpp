@@ -184,6 +184,7 @@ TEST(LiveLight, NothingChanges_CostsNothing) {
 TEST(LiveLight, Frames_KeepToTheirBudgets) {
   const LoadedScene loaded("cornell");
   LiveLightOptions options = smallOptions();
+  options.coarser = 0;
   options.photonsPerFrame = 300;
   options.estimatesPerFrame = 100;
   options.gather.texelsPerFrame = 10;
@@ -201,6 +202,7 @@ TEST(LiveLight, Frames_KeepToTheirBudgets) {
 TEST(LiveLight, GatheredTexel_IsBlendedInOverItsFrames) {
   const LoadedScene loaded("cornell");
   LiveLightOptions options = smallOptions();
+  options.coarser = 0;
   options.gather.texelsPerFrame = 0;
   options.gather.blendFrames = 4;
   LiveLight live = makeLive(loaded, options);

@@ -1,0 +1,86 @@
+#include "gi/update/coarse_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/colour.h"
+#include "gi/update/live_light.h"
+#include "gi/update/live_scenes.h"
+#include "support/devices.h"
+
+namespace prelight::test {
+namespace {
+
+TEST(Followed, EqualCoarseLight_LeavesTheExactValue) {
+  const glm::vec3 exact(0.1f, 0.7f, 0.0f), coarse(0.3f, 0.2f, 0.9f);
+  EXPECT_EQ(followed(exact, coarse, coarse), exact);
+}
+
+TEST(Followed, GrowingLight_IsAdded_AndShrinkingLight_IsScaled) {
+  const glm::vec3 value = followed(glm::vec3(2.0f), {1.0f, 4.0f, 4.0f}, {1.5f, 1.0f, 0.0f});
+  EXPECT_FLOAT_EQ(value.x, 2.5f);
+  EXPECT_FLOAT_EQ(value.y, 0.5f);
+  EXPECT_FLOAT_EQ(value.z, 0.0f);
+}
+
+/// Root mean squared difference over the mean of the expected values.
+double difference(std::span<const glm::vec3> got, std::span<const glm::vec3> expected) {
+  double squares = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    squares += std::pow(luminance(glm::dvec3(got[i]) - glm::dvec3(expected[i])), 2.0);
+    sum += luminance(glm::dvec3(expected[i]));
+  }
+  const auto count = static_cast<double>(got.size());
+  return std::sqrt(squares / count) / (sum / count);
+}
+
+std::vector<glm::vec3> copyOf(std::span<const glm::vec3> values) { return {values.begin(), values.end()}; }
+
+/// Options of frames that have no time for anything but the coarse light.
+LiveLightOptions hastyOptions() {
+  LiveLightOptions options;
+  options.photons = 16000;
+  options.texels = 2000;
+  options.gather.rays = 64;
+  options.gather.texelsPerFrame = 0;
+  options.frameSeconds = 1e-6;
+  return options;
+}
+
+LiveLight makeLive(const LoadedScene& loaded) {
+  Progress progress;
+  return LiveLight(loaded.scene, loaded.compiled, nullptr, 0.0, hastyOptions(), {}, sharedDevice(), progress);
+}
+
+TEST(CoarseLight, MovingLamp_IsFollowedInEachFrame) {
+  const LoadedScene loaded("rooms");
+  LiveLight live = makeLive(loaded), anew = makeLive(loaded);
+  const std::vector<glm::vec3> before = copyOf(live.indirect());
+  Progress progress;
+  for (const double x : {0.3, 0.6, 0.9}) {
+    Light lamp = loaded.compiled.lights.at(0);
+    lamp.position.x += x;
+    live.setLight(0, lamp);
+    anew.setLight(0, lamp);
+    live.advance(progress);
+    anew.recompute(progress);
+    EXPECT_LT(difference(live.indirect(), anew.indirect()), 0.5 * difference(before, anew.indirect())) << x;
+  }
+}
+
+TEST(CoarseLight, FramesWithoutAClock_AreAlikeInEveryRun) {
+  const LoadedScene loaded("cornell");
+  LiveLight first = makeLive(loaded), second = makeLive(loaded);
+  Progress progress;
+  for (int f = 1; f <= 12; ++f) {
+    for (LiveLight* live : {&first, &second}) {
+      if (f <= 4) live->moveNode(loaded.node("Short box"), shifted(0.05 * f, 0.0, 0.0));
+      live->advance(progress);
+    }
+    EXPECT_EQ(copyOf(first.indirect()), copyOf(second.indirect())) << f;
+  }
+}
+
+}  // namespace
+}  // namespace prelight::test
