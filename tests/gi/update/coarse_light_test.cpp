@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "base/colour.h"
 #include "gi/update/live_light.h"
 #include "gi/update/live_scenes.h"
 #include "support/devices.h"
@@ -24,17 +21,6 @@ TEST(Followed, GrowingLight_IsAdded_AndShrinkingLight_IsScaled) {
   EXPECT_FLOAT_EQ(value.z, 0.0f);
 }
 
-/// Root mean squared difference over the mean of the expected values.
-double difference(std::span<const glm::vec3> got, std::span<const glm::vec3> expected) {
-  double squares = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    squares += std::pow(luminance(glm::dvec3(got[i]) - glm::dvec3(expected[i])), 2.0);
-    sum += luminance(glm::dvec3(expected[i]));
-  }
-  const auto count = static_cast<double>(got.size());
-  return std::sqrt(squares / count) / (sum / count);
-}
-
 std::vector<glm::vec3> copyOf(std::span<const glm::vec3> values) { return {values.begin(), values.end()}; }
 
 /// Options of frames that have no time for anything but the coarse light.
@@ -51,22 +37,6 @@ LiveLightOptions hastyOptions() {
 LiveLight makeLive(const LoadedScene& loaded) {
   Progress progress;
   return LiveLight(loaded.scene, loaded.compiled, nullptr, 0.0, hastyOptions(), {}, sharedDevice(), progress);
-}
-
-TEST(CoarseLight, MovingLamp_IsFollowedInEachFrame) {
-  const LoadedScene loaded("rooms");
-  LiveLight live = makeLive(loaded), anew = makeLive(loaded);
-  const std::vector<glm::vec3> before = copyOf(live.indirect());
-  Progress progress;
-  for (const double x : {0.3, 0.6, 0.9}) {
-    Light lamp = loaded.compiled.lights.at(0);
-    lamp.position.x += x;
-    live.setLight(0, lamp);
-    anew.setLight(0, lamp);
-    live.advance(progress);
-    anew.recompute(progress);
-    EXPECT_LT(difference(live.indirect(), anew.indirect()), 0.5 * difference(before, anew.indirect())) << x;
-  }
 }
 
 TEST(CoarseLight, FramesWithoutAClock_AreAlikeInEveryRun) {
