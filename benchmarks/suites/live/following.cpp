@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "base/colour.h"
 #include "benchmarks/run/measure.h"
@@ -43,9 +44,9 @@ double errorOf(std::span<const glm::vec3> got, std::span<const glm::vec3> truth)
   return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
 }
 
-using Values = std::vector<glm::vec3>;
+using Irradiances = std::vector<glm::vec3>;
 
-Values copyOf(std::span<const glm::vec3> values) { return {values.begin(), values.end()}; }
+Irradiances copyOf(std::span<const glm::vec3> values) { return {values.begin(), values.end()}; }
 
 /// Options of the light of a window of 1280 x 720 pixels.
 LiveLightOptions windowOptions(const LiveOptions& options) {
@@ -95,7 +96,7 @@ class Following {
     return seconds;
   }
 
-  Values lightAnew(double share) {
+  Irradiances lightAnew(double share) {
     truth_.moveNode(node_, motionOf(scene_, share));
     truth_.recompute(progress_);
     return copyOf(truth_.indirect());
@@ -158,7 +159,7 @@ class Following {
   Progress& progress_;
   std::vector<BenchmarkResult>& results_;
   LiveLight live_, truth_;
-  Values before_, settled_;
+  Irradiances before_, settled_;
   double untouched_ = 0.0;
   std::map<std::string, double> stages_;
   int frames_ = 0;
