@@ -1,6 +1,7 @@
 #include "pictures/followed_light.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "pictures/shaded_scene.h"
 #include "viewer/core/camera.h"
@@ -9,10 +10,16 @@ namespace prelight::pictures {
 
 namespace {
 
-/// The work done per frame in a window: a few hundredths of a second on two cores.
-constexpr std::uint32_t followedTexels = 100, followedPhotons = 4000;
+/// Seconds of work per frame in a window, and frames over which a texel's light is blended.
+constexpr double followedSeconds = 1.0 / 30.0;
+constexpr std::uint32_t followedBlend = 4;
+constexpr std::uint32_t followedCoarser = 4;  ///< LiveLightOptions::coarser
 /// Fewer than elsewhere, because a few frames may have to send all of them again.
 constexpr std::uint64_t followedCausticPhotons = 20000;
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Returns the request for a picture of the size of `shaded`.
 GlobalIlluminationPictureRequest sizedRequest(const PictureRequest& asked, const ShadedScene& shaded) {
@@ -85,8 +92,11 @@ std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const Pi
   live.photons = asked.full.indirect.photons;
   live.texels = sized.mapTexels();
   live.gather.rays = asked.full.indirect.rays;
-  live.gather.texelsPerFrame = followedTexels;
-  live.photonsPerFrame = followedPhotons;
+  live.gather.texelsPerFrame = 0;
+  live.gather.blendFrames = followedBlend;
+  live.frameSeconds = followedSeconds;
+  live.coarser = followedCoarser;
+  if (!asked.countedFrames) live.clock = steadySeconds;
   live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);
   live.seed = asked.bake.request.seed;
   live.thinBeyond = asked.thinBeyond;

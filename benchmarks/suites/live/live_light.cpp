@@ -181,7 +181,6 @@ void thinLamps(const std::string& sceneOrFile, const Device& device, const LiveO
     live.photons = photons;
     live.thinBeyond = beyond;
     live.eye = seen.eye();
-    live.estimatesPerFrame = 0;
     return LiveLight(row.scene.scene, compiled, nullptr, 0.0, live, {}, device, progress);
   };
   const std::vector<double> truth = seen.of(make(options.liveLightTruth, 0.0));

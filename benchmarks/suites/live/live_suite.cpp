@@ -16,6 +16,19 @@ const OptionTable<LiveOptions>& LiveOptions::table() {
                 {"shapes", "Cone"},
                 {"caustics", "Glass sphere"}},
                {{"cornell", "Short box"}}, "built-in scenes and the node of each that is moved once")
+          .add("followingScenes", &LiveOptions::followingScenes,
+               {{"rooms", "Light"},
+                {"rooms", "Right crate"},
+                {"cornell", "Lamp"},
+                {"cornell", "Short box"}},
+               {{"cornell", "Short box"}}, "built-in scenes and the node of each that `following` moves")
+          .add("followingFrames", &LiveOptions::followingFrames, 60, 4, "frames in which a node moves")
+          .add("followingEvery", &LiveOptions::followingEvery, 1, 4, "light is computed anew in every n-th frame")
+          .add("followingMilliseconds", &LiveOptions::followingMilliseconds, 33.0, 33.0,
+               "milliseconds of work per frame on two cores, that is half of the processor time")
+          .add("followingPhotons", &LiveOptions::followingPhotons, 50000, 1000, "photons of the light")
+          .add("followingTexels", &LiveOptions::followingTexels, 28800, 200,
+               "texels of the light, as in a window of 1280 x 720 pixels")
           .add("liveLightRows", &LiveOptions::liveLightRows, {"rooms", "shapes"}, {"rooms"},
                "scenes, built in or files, that `live-light` puts in rows")
           .add("liveLightCopies", &LiveOptions::liveLightCopies, 8, 2, "copies of a scene in its row")
@@ -37,6 +50,7 @@ std::unique_ptr<Suite> liveSuite() {
   SuiteOf<LiveOptions>::Runners parts = {
       {"update", "seconds of frames in which light follows moving objects, and what they do again",
        runUpdate},
+      {"following", "error of light that follows a moving node, and how soon it settles", runFollowing},
 #ifdef PRELIGHT_WITH_VIEWER
       {"live-light", "light that follows what moves: lamps thinned by distance, in pictures", runLiveLight},
 #endif

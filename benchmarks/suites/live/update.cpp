@@ -98,7 +98,6 @@ LiveLightOptions thesisOptions(ChangeDetection detection) {
   options.groupSize = 40;
   options.detection = detection;
   options.texels = 140;
-  options.estimatesPerFrame = 0;
   options.gather.rays = 1024;
   options.gather.texelsPerFrame = 20;
   options.causticPhotons = 10000;

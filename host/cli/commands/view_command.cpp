@@ -174,7 +174,10 @@ void addViewCommand(CLI::App& program, Context& context) {
       ->type_name("FILE");
   addWholeNumber(
       *app, "--frames", {1, maxFrames},
-      [target = command.get()](std::uint64_t n) { target->frames = static_cast<int>(n); },
+      [target = command.get()](std::uint64_t n) {
+        target->frames = static_cast<int>(n);
+        target->picture.countedFrames = true;
+      },
       "close after this many frames");
   app->footer(
       "Press H in the window for its keys. Drop another scene or a sky on the window to show that "

@@ -57,9 +57,11 @@ void LiveApproximation::follow(std::span<const std::uint32_t> triangles) {
       surfaces_[s].remaining = surfaces_[s].places.size();
   followDensitySurface(surface_, scene_, regions);
   estimator_.follow(surface_);
+  photonsAreOld_ = true;
 }
 
 void LiveApproximation::photonsChanged(const PhotonDelta& delta) {
+  photonsAreOld_ = true;
   for (const auto* photons : {&delta.removed, &delta.added}) {
     const std::vector<std::uint32_t> maps = patches_.mapsOf(*photons);
     for (std::size_t i = 0; i < maps.size(); ++i) {
@@ -104,21 +106,25 @@ std::vector<std::uint32_t> LiveApproximation::takePlaces(Surface& surface, std::
   return taken;
 }
 
-ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, std::uint32_t texels) {
-  ApproximationFrame frame;
-  const std::vector<std::uint32_t> chosen = choose(texels);
-  if (chosen.empty()) return frame;
-  std::vector<std::uint8_t> wanted(surfaces_.size(), 0);
-  for (const std::uint32_t s : chosen) wanted[s] = 1;
+/// Gives the photons of all waiting surfaces to the estimator. It keeps them until photons change.
+void LiveApproximation::sortPhotons(std::span<const Photon> photons) {
   const std::vector<std::uint32_t> maps = patches_.mapsOf(photons);
   std::vector<Photon> landed;
   std::vector<std::uint32_t> landedMaps;
   for (std::size_t i = 0; i < photons.size(); ++i)
-    if (wanted[maps[i]] != 0) {
+    if (surfaces_[maps[i]].remaining > 0) {
       landed.push_back(photons[i]);
       landedMaps.push_back(maps[i]);
     }
   estimator_.setPhotons(makePhotonMaps(landed, landedMaps, surfaces_.size() / 2));
+  photonsAreOld_ = false;
+}
+
+ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, std::uint32_t texels) {
+  ApproximationFrame frame;
+  const std::vector<std::uint32_t> chosen = choose(texels);
+  if (chosen.empty()) return frame;
+  if (photonsAreOld_) sortPhotons(photons);
   std::vector<std::uint32_t> places;
   std::vector<std::size_t> ends;  // [chosen surface], end among places
   for (const std::uint32_t s : chosen) {

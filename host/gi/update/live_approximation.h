@@ -60,6 +60,7 @@ class LiveApproximation {
   };
 
   std::vector<std::uint32_t> choose(std::uint32_t texels);
+  void sortPhotons(std::span<const device::Photon> photons);
   static std::vector<std::uint32_t> takePlaces(Surface& surface, std::size_t most);
   std::vector<double> estimate(std::span<const std::uint32_t> places);
 
@@ -71,6 +72,7 @@ class LiveApproximation {
   DensityEstimator estimator_;
   std::vector<Surface> surfaces_;       ///< [patch][front, back]
   std::vector<std::uint32_t> patchOf_;  ///< [place]
+  bool photonsAreOld_ = true;  ///< whether photons have come or gone since the estimator got them
   std::vector<glm::vec3> values_, grid_;
   IrradianceMap map_;
 };

@@ -1,12 +1,14 @@
 #include "gi/update/live_gather.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "base/colour.h"
 #include "gi/indirect_light.h"
+#include "gi/update/coarse_light.h"
 #include "receivers/surface_sampler.h"
 #include "scene/lobes.h"
 
@@ -107,6 +109,19 @@ std::vector<std::uint8_t> reflectingRegions(const CompiledScene& scene, const Su
   return reflecting;
 }
 
+/// Texels that face away from the eye count this much of those that face it.
+constexpr double awayWeight = 0.1;
+
+/// Returns how much the light of a place matters to an eye: less with the square of the distance from
+/// `near` on.
+double weightFor(const CompiledScene& scene, const LightMapTexel& place, const glm::dvec3& eye, double near) {
+  const glm::dvec3 way = eye - pointOf(scene, place);
+  const std::uint32_t triangle = triangleOf(scene, place);
+  const double side = triangle == place.face ? 1.0 : -1.0;
+  const bool faces = side * glm::dot(glm::dvec3(geometricNormal(scene, triangle)), way) > 0.0;
+  return (faces ? 1.0 : awayWeight) / (1.0 + glm::dot(way, way) / (near * near));
+}
+
 /// Returns the form factor of the bounding ball of a box from a point that faces it, an upper bound for what
 /// is in the box.
 double ballShare(const Box& box, const glm::dvec3& point) {
@@ -135,8 +150,12 @@ LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, co
       near_(places_.size(), 0.0),
       first_(places_.size(), 0),
       boxes_(regions.count()),
+      weights_(places_.size(), 1.0),
       gathered_(places_.size(), glm::vec3(0.0f)),
       shown_(places_.size(), glm::vec3(0.0f)),
+      coarse_(places_.size(), glm::vec3(0.0f)),
+      coarseThen_(places_.size(), glm::vec3(0.0f)),
+      offset_(places_.size(), glm::vec3(0.0f)),
       blendLeft_(places_.size(), 0) {
   for (const LightMapTexel& place : places_) regionOf_.push_back(regions.regionOf[triangleOf(scene, place)]);
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) growBy(t);
@@ -163,6 +182,7 @@ void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradian
   for (const std::uint32_t t : triangles) growBy(t);
   for (std::uint32_t r = 0; r < regions.size(); ++r)
     if (regions[r] != 0) boxes.push_back(boxes_[r]);
+  const double mean = meanIrradiance();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (regions[regionOf_[i]] != 0) {
       first_[i] = 1;
@@ -171,7 +191,8 @@ void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradian
     const glm::dvec3 point = pointOf(scene_, places_[i]);
     double share = 0.0;
     for (const Box& box : boxes) share += ballShare(box, point);
-    near_[i] += std::min(share, 1.0) * luminance(glm::dvec3(gathered_[i]));
+    // What an object uncovers was dark, so its own light tells nothing.
+    near_[i] += std::min(share, 1.0) * std::max(mean, luminance(glm::dvec3(gathered_[i])));
   }
   lookAround(triangles, progress);
   announceMoved();
@@ -214,15 +235,34 @@ void LiveGather::approximationChanged(std::span<const RegionChange> changes) {
 }
 
 /// Returns the expected change at a texel, W/m2. It is 0 if the texel's region sees no changed surface.
-double LiveGather::priority(std::size_t place) const {
+double LiveGather::expectedChange(std::size_t place) const {
   if (first_[place] != 0) return std::numeric_limits<double>::infinity();
   const double base = expected_[regionOf_[place]] - seenExpected_[place];
   return base > 0.0 ? base + near_[place] : 0.0;
 }
 
+/// Returns the change of the coarse light since the texel was gathered, luminance, W/m2.
+double LiveGather::coarseChange(std::size_t place) const {
+  return luminance(glm::abs(glm::dvec3(coarse_[place]) - glm::dvec3(coarseThen_[place])));
+}
+
+/// Returns by what waiting texels are ordered: the change of the coarse light, or, in its absence, the
+/// expected change.
+double LiveGather::urgency(std::size_t place) const {
+  const double expected = expectedChange(place), coarse = coarseChange(place);
+  if (std::isinf(expected)) return expected;
+  return weights_[place] * (coarse > 0.0 ? coarse : expected);
+}
+
 /// Returns whether a texel has changed so much that it is gathered again; `mean` is meanIrradiance().
 bool LiveGather::waits(std::size_t place, double mean) const {
-  return priority(place) > options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
+  return std::max(expectedChange(place), coarseChange(place)) >
+         options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
+}
+
+void LiveGather::look(const glm::dvec3& eye) {
+  const double near = 0.25 * glm::length(glm::dvec3(scene_.boundsMax) - glm::dvec3(scene_.boundsMin));
+  for (std::size_t i = 0; i < places_.size(); ++i) weights_[i] = weightFor(scene_, places_[i], eye, near);
 }
 
 std::vector<double> LiveGather::expectedChanges() const {
@@ -233,14 +273,14 @@ std::vector<double> LiveGather::expectedChanges() const {
 }
 
 /// Returns the texels to gather next, greatest change first, and counts those that wait.
-std::vector<std::uint32_t> LiveGather::choose(std::size_t& waitingCount) const {
+std::vector<std::uint32_t> LiveGather::choose(std::uint32_t texels, std::size_t& waitingCount) const {
   const double mean = meanIrradiance();
   std::vector<std::pair<double, std::uint32_t>> waiting;
   for (std::uint32_t i = 0; i < places_.size(); ++i)
-    if (waits(i, mean)) waiting.emplace_back(-priority(i), i);
+    if (waits(i, mean)) waiting.emplace_back(-urgency(i), i);
   waitingCount = waiting.size();
-  const std::size_t most = options_.texelsPerFrame > 0 ? options_.texelsPerFrame : waiting.size();
-  const auto end = waiting.begin() + static_cast<std::ptrdiff_t>(std::min(most, waiting.size()));
+  const auto end =
+      waiting.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(texels, waiting.size()));
   std::partial_sort(waiting.begin(), end, waiting.end());
   std::vector<std::uint32_t> places;
   for (auto entry = waiting.begin(); entry != end; ++entry) places.push_back(entry->second);
@@ -259,6 +299,8 @@ void LiveGather::gather(std::span<const std::uint32_t> places, Progress& progres
     for (std::size_t k = 0; k < receivers_; ++k) sum += glm::dvec3(found[i * receivers_ + k]);
     const std::uint32_t place = places[i];
     gathered_[place] = glm::vec3(sum / double(receivers_));
+    coarseThen_[place] = coarse_[place];
+    offset_[place] = shown_[place] - gathered_[place];
     links_.add(regionOf_[place], std::span(seen).subspan(i * raysOfTexel, raysOfTexel));
     seenExpected_[place] = expected_[regionOf_[place]];
     near_[place] = 0.0;
@@ -278,18 +320,32 @@ void LiveGather::gatherAll(Progress& progress) {
   movedRegions_.clear();
 }
 
+/// Returns what is shown of a texel now.
+glm::vec3 LiveGather::target(std::size_t place) const {
+  const glm::vec3 light = followed(gathered_[place], coarseThen_[place], coarse_[place]);
+  if (blendLeft_[place] == 0) return light;
+  const float rest = static_cast<float>(blendLeft_[place]) / static_cast<float>(options_.blendFrames);
+  return glm::max(light + rest * offset_[place], glm::vec3(0.0f));
+}
+
+void LiveGather::coarseChanged(std::span<const glm::vec3> light) {
+  coarse_.assign(light.begin(), light.end());
+  for (std::size_t i = 0; i < places_.size(); ++i) shown_[i] = target(i);
+}
+
 void LiveGather::blend(GatherFrame& frame) {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (blendLeft_[i] == 0) continue;
-    shown_[i] += (gathered_[i] - shown_[i]) / static_cast<float>(blendLeft_[i]--);
+    --blendLeft_[i];
+    shown_[i] = target(i);
     ++frame.blending;
   }
 }
 
-GatherFrame LiveGather::advance(Progress& progress) {
+GatherFrame LiveGather::advance(std::uint32_t texels, Progress& progress) {
   GatherFrame frame;
   std::size_t waiting = 0;
-  const std::vector<std::uint32_t> places = choose(waiting);
+  const std::vector<std::uint32_t> places = choose(texels, waiting);
   if (!places.empty()) gather(places, progress);
   if (!movedRegions_.empty() && std::find(first_.begin(), first_.end(), 1) == first_.end()) {
     announceMoved();  // now that their texels have told who sees them

@@ -79,10 +79,21 @@ class LiveGather {
 
   void approximationChanged(std::span<const RegionChange> changes);
 
+  /// Sets a coarse light at the texels, W/m2, [place]. Texels gathered before follow its changes until they
+  /// are gathered again, those with the greatest changes first.
+  void coarseChanged(std::span<const glm::vec3> light);
+
+  /// Sets the eye, scene coordinates. Texels that face it and are near it come first.
+  void look(const glm::dvec3& eye);
+
   /// Gathers all texels again and shows the results at once.
   void gatherAll(Progress& progress);
 
-  GatherFrame advance(Progress& progress);
+  /// Gathers at most `texels` again, and blends.
+  GatherFrame advance(std::uint32_t texels, Progress& progress);
+
+  /// Returns the rays of a texel.
+  std::uint32_t raysOfTexel() const { return rays_ * receivers_; }
 
   bool settled() const;
 
@@ -95,10 +106,13 @@ class LiveGather {
   std::span<const glm::vec3> gathered() const { return gathered_; }
 
  private:
-  double priority(std::size_t place) const;
+  double expectedChange(std::size_t place) const;
+  double coarseChange(std::size_t place) const;
+  double urgency(std::size_t place) const;
+  glm::vec3 target(std::size_t place) const;
   bool waits(std::size_t place, double mean) const;
   double meanIrradiance() const;
-  std::vector<std::uint32_t> choose(std::size_t& waitingCount) const;
+  std::vector<std::uint32_t> choose(std::uint32_t texels, std::size_t& waitingCount) const;
   void gather(std::span<const std::uint32_t> places, Progress& progress);
   void growBy(std::uint32_t triangle);
   void blend(GatherFrame& frame);
@@ -122,7 +136,10 @@ class LiveGather {
   double movedIrradiance_ = 0.0;      ///< W/m2, light that moved objects may have revealed or hidden
   std::uint64_t countedRays_ = 0;     ///< rays that frames have reported
   std::vector<std::uint32_t> movedRegions_;  ///< moved regions whose new view is not yet known
+  std::vector<double> weights_;              ///< [place], importance to the eye, 0 to 1
   std::vector<glm::vec3> gathered_, shown_;
+  std::vector<glm::vec3> coarse_, coarseThen_;  ///< [place], coarse light now and when it was gathered
+  std::vector<glm::vec3> offset_;  ///< [place], what was shown in place of the value gathered last, from it
   std::vector<std::uint32_t> blendLeft_;  ///< [place], frames left
 };
 

@@ -37,6 +37,20 @@ std::vector<std::uint32_t> trianglesThatMove(const Scene& scene, const LiveScene
   return triangles;
 }
 
+/// The coarse light has this share of the photons and of the rays per texel.
+constexpr std::uint64_t coarsePhotons = 16;
+constexpr std::uint32_t coarseRays = 64;
+
+/// Returns whether a coarse light is kept. It needs to know what changes, as probes for changes do not.
+bool hasCoarseLight(const LiveLightOptions& options) {
+  return options.coarser > 0 && options.detection == ChangeDetection::Flights;
+}
+
+/// Returns the smaller of two numbers of items, of which 0 is no limit for the first.
+std::uint32_t limited(std::uint32_t perFrame, std::uint32_t affordable) {
+  return perFrame == 0 ? affordable : std::min(perFrame, affordable);
+}
+
 }  // namespace
 
 LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
@@ -46,6 +60,7 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
       options_(options),
       device_(device),
       layout_(layoutOf(scene, scene_.compiled(), options.texels)),
+      budget_(options.frameSeconds, options.clock),
       regions_(splitByPrimitive(makeSurfaceRegions(scene_.compiled(), usualCreaseAngle), scene_.compiled())),
       transport_({scene_.compiled(), scene.images, scene_.compiled().lights, sky, skyRotation}, device),
       skyRotation_(skyRotation) {
@@ -54,6 +69,11 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
   std::vector<std::uint8_t> moves(scene_.compiled().triangleCount(), 0);
   for (const std::uint32_t t : triangles) moves[t] = 1;
   findWalls(scene_.compiled(), transport_.tracer(), layout_, moves);
+  if (hasCoarseLight(options)) {
+    coarseLayout_ =
+        layoutOf(scene, scene_.compiled(), std::max(1u, options.texels / (options.coarser * options.coarser)));
+    findWalls(scene_.compiled(), transport_.tracer(), coarseLayout_, moves);
+  }
   makeLight(progress);
 }
 
@@ -70,8 +90,10 @@ void LiveLight::setSkyRotation(double angle) {
 }
 
 void LiveLight::setEye(const glm::dvec3& eye) {
+  if (options_.eye == eye) return;
   options_.eye = eye;
   if (photons_) photons_->look(eye - scene_.compiled().origin);
+  if (gather_) gather_->look(eye - scene_.compiled().origin);
 }
 
 SceneChange LiveLight::takeChanges() {
@@ -80,40 +102,54 @@ SceneChange LiveLight::takeChanges() {
   return change;
 }
 
+void LiveLight::makeIndirect(Progress& progress) {
+  LivePhotonOptions photons;
+  photons.request = indirectPhotons(
+      transport_, {.photons = options_.photons, .seed = options_.seed, .directByPhotons = true});
+  photons.groupSize = options_.groupSize;
+  photons.detection = options_.detection;
+  photons.thinning.beyond = options_.thinBeyond;
+  if (options_.eye) photons.thinning.eye = *options_.eye - scene_.compiled().origin;
+  photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
+  approximation_ = std::make_unique<LiveApproximation>(scene_.compiled(), transport_.tracer(), layout_,
+                                                       regions_, options_.nearestPhotons, device_);
+  const std::vector<device::Photon> all = photons_->photons();
+  approximation_->photonsChanged({.removed = {}, .added = all});
+  approximation_->advance(all, 0);
+  LiveGatherOptions gather = options_.gather;
+  gather.seed = options_.seed;
+  gather_ = std::make_unique<LiveGather>(scene_.compiled(), transport_, layout_, regions_,
+                                         approximation_->map(), gather);
+  if (options_.eye) gather_->look(*options_.eye - scene_.compiled().origin);
+  if (hasCoarseLight(options_)) {
+    CoarseLightOptions coarse;
+    coarse.photons.request = photons.request;
+    coarse.photons.request.photons = std::max<std::uint64_t>(1, options_.photons / coarsePhotons);
+    coarse.photons.groupSize = 0;
+    coarse.rays = std::min(coarseRays, gather.rays);
+    coarse.fineRays = std::min(gather.rays, GatherRequest::mostRaysPerReceiver);
+    coarse.seed = options_.seed;
+    coarse_ = std::make_unique<CoarseLight>(scene_, transport_, coarseLayout_, layout_, regions_,
+                                            approximation_->map(), coarse, device_, progress);
+    gather_->coarseChanged(coarse_->light());
+  }
+  gather_->gatherAll(progress);
+}
+
 void LiveLight::makeLight(Progress& progress) {
   plan_ = planGlobalIllumination(scene_.compiled(), transport_);
-  gather_.reset();  // it refers to the approximation
+  coarse_.reset();  // it refers to the approximation, as the gathering does
+  gather_.reset();
   approximation_.reset();
   photons_.reset();
   caustics_.reset();
-  if (runs(plan_, Pass::IndirectLight)) {
-    LivePhotonOptions photons;
-    photons.request = indirectPhotons(
-        transport_, {.photons = options_.photons, .seed = options_.seed, .directByPhotons = true});
-    photons.groupSize = options_.groupSize;
-    photons.detection = options_.detection;
-    photons.photonsPerFrame = options_.photonsPerFrame;
-    photons.thinning.beyond = options_.thinBeyond;
-    if (options_.eye) photons.thinning.eye = *options_.eye - scene_.compiled().origin;
-    photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
-    approximation_ = std::make_unique<LiveApproximation>(scene_.compiled(), transport_.tracer(), layout_,
-                                                         regions_, options_.nearestPhotons, device_);
-    const std::vector<device::Photon> all = photons_->photons();
-    approximation_->photonsChanged({.removed = {}, .added = all});
-    approximation_->advance(all, 0);
-    LiveGatherOptions gather = options_.gather;
-    gather.seed = options_.seed;
-    gather_ = std::make_unique<LiveGather>(scene_.compiled(), transport_, layout_, regions_,
-                                           approximation_->map(), gather);
-    gather_->gatherAll(progress);
-  }
-  if (runs(plan_, Pass::CausticPhotons)) {
-    LivePhotonOptions caustics;
-    caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
-    caustics.groupSize = 0;
-    caustics.frames = std::max(1u, options_.causticFrames);
-    caustics_ = std::make_unique<LivePhotons>(scene_, transport_, caustics, progress);
-  }
+  if (runs(plan_, Pass::IndirectLight)) makeIndirect(progress);
+  if (!runs(plan_, Pass::CausticPhotons)) return;
+  LivePhotonOptions caustics;
+  caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
+  caustics.groupSize = 0;
+  caustics.frames = std::max(1u, options_.causticFrames);
+  caustics_ = std::make_unique<LivePhotons>(scene_, transport_, caustics, progress);
 }
 
 void LiveLight::recompute(Progress& progress) {
@@ -128,6 +164,7 @@ bool LiveLight::follow(const SceneChange& change) {
   if (followChange(change, scene_, moving_, transport_)) return true;
   if (photons_) photons_->changed(change);
   if (caustics_) caustics_->changed(change);
+  if (coarse_) coarse_->changed(change);
   if (approximation_ && !change.triangles.empty()) approximation_->follow(change.triangles);
   return false;
 }
@@ -135,6 +172,7 @@ bool LiveLight::follow(const SceneChange& change) {
 LiveFrame LiveLight::advance(Progress& progress) {
   LiveFrame frame;
   StageClock stages(frame.stageSeconds);
+  budget_.begin();
   const SceneChange change = takeChanges();
   if (follow(change)) {
     makeLight(progress);
@@ -144,35 +182,86 @@ LiveFrame LiveLight::advance(Progress& progress) {
   }
   if (gather_ && !change.triangles.empty())
     gather_->moved(change.triangles, approximation_->meanIrradiance(), progress);
+  budget_.spend();
   stages.mark("scene");
-  if (photons_) {
-    PhotonDelta delta;
-    frame.photons = photons_->advance(delta, progress);
-    if (!delta.removed.empty() || !delta.added.empty()) approximation_->photonsChanged(delta);
-    stages.mark("photons");
-    if (!approximation_->settled()) {
-      const ApproximationFrame estimated =
-          approximation_->advance(photons_->photons(), options_.estimatesPerFrame);
-      frame.surfaces = estimated.surfaces;
-      frame.estimates = estimated.texels;
-      gather_->approximationChanged(estimated.changes);
-    }
-    stages.mark("density");
-    frame.gather = gather_->advance(progress);
-    frame.shownChanged = frame.gather.texels > 0 || frame.gather.blending > 0;
-    stages.mark("gather");
-  }
   if (caustics_) {
-    PhotonDelta delta;
-    frame.caustics = caustics_->advance(delta, progress);
-    frame.causticsChanged = !delta.removed.empty() || !delta.added.empty();
+    advanceCaustics(frame, progress);
     stages.mark("caustics");
   }
+  if (!photons_) return frame;
+  if (coarse_) advanceCoarse(frame, stages, progress);
+  // Fine light would be of the past before it is done.
+  if (!coarse_ || change.empty()) advanceFine(frame, stages, progress);
+  else frame.gather = gather_->advance(0, progress);
+  frame.shownChanged = frame.coarseRays > 0 || frame.gather.texels > 0 || frame.gather.blending > 0;
+  stages.mark("gather");
   return frame;
 }
 
+void LiveLight::advanceCaustics(LiveFrame& frame, Progress& progress) {
+  PhotonDelta delta;
+  frame.caustics = caustics_->advance(delta, progress);
+  frame.causticsChanged = !delta.removed.empty() || !delta.added.empty();
+  budget_.spend(FrameWork::Photons, frame.caustics.traced);
+}
+
+void LiveLight::advanceCoarse(LiveFrame& frame, StageClock& stages, Progress& progress) {
+  const std::uint64_t rays = coarse_->advance(progress);
+  if (rays == 0) return;
+  gather_->coarseChanged(coarse_->light());
+  frame.coarseRays += rays;
+  budget_.spend(FrameWork::Rays, rays);
+  stages.mark("coarse light");
+}
+
+/// Sends photons again, then estimates texels, then gathers. With a coarse light, which shows what changes
+/// until then, a stage waits for the one before.
+void LiveLight::advanceFine(LiveFrame& frame, StageClock& stages, Progress& progress) {
+  advancePhotons(frame, progress);
+  stages.mark("photons");
+  if (coarse_ && !photons_->settled()) {
+    frame.gather = gather_->advance(0, progress);
+    return;
+  }
+  advanceEstimates(frame);
+  stages.mark("density");
+  std::uint32_t texels = 0;
+  if (!coarse_ || approximation_->settled()) {
+    if (coarse_ && !coarse_->settled()) {
+      const std::uint64_t rays = coarse_->refine(progress);
+      gather_->coarseChanged(coarse_->light());
+      frame.coarseRays += rays;
+      budget_.spend(FrameWork::Rays, rays);
+      stages.mark("coarse light");
+    }
+    texels = limited(options_.gather.texelsPerFrame,
+                     budget_.affordable(FrameWork::Rays) / gather_->raysOfTexel());
+  }
+  frame.gather = gather_->advance(texels, progress);
+  budget_.spend(FrameWork::Rays, frame.gather.rays);
+}
+
+void LiveLight::advancePhotons(LiveFrame& frame, Progress& progress) {
+  photons_->limit(limited(options_.photonsPerFrame, budget_.affordable(FrameWork::Photons)));
+  PhotonDelta delta;
+  frame.photons = photons_->advance(delta, progress);
+  if (!delta.removed.empty() || !delta.added.empty()) approximation_->photonsChanged(delta);
+  budget_.spend(FrameWork::Photons, frame.photons.traced);
+}
+
+void LiveLight::advanceEstimates(LiveFrame& frame) {
+  if (approximation_->settled()) return;
+  const ApproximationFrame estimated = approximation_->advance(
+      photons_->photons(), limited(options_.estimatesPerFrame, budget_.affordable(FrameWork::Estimates)));
+  frame.surfaces = estimated.surfaces;
+  frame.estimates = estimated.texels;
+  gather_->approximationChanged(estimated.changes);
+  budget_.spend(FrameWork::Estimates, frame.estimates);
+}
+
 bool LiveLight::settled() const {
-  return (!photons_ || (photons_->settled() && approximation_->settled() && gather_->settled())) &&
+  return (!photons_ || (photons_->settled() && approximation_->settled() && gather_->settled() &&
+                        (!coarse_ || coarse_->settled()))) &&
          (!caustics_ || caustics_->settled());
 }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "gi/global_illumination.h"
+#include "gi/update/coarse_light.h"
+#include "gi/update/frame_budget.h"
 #include "gi/update/live_approximation.h"
 #include "gi/update/live_gather.h"
 #include "gi/update/live_photons.h"
@@ -17,20 +19,27 @@
 #include "prelight/light_map.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"
+#include "base/clocks.h"
 #include "prelight/progress.h"
 
 namespace prelight {
 
 /// Options of LiveLight.
 struct LiveLightOptions {
+  /// Seconds of work per frame; 0: only the numbers per frame below limit it. A frame with a change computes
+  /// the coarse light, even if that takes longer.
+  double frameSeconds = 0.0;
+  FrameBudget::Clock clock;  ///< measures costs; none: usual costs count, so that runs are alike
+  /// Texel size of the coarse light, in texels of the fine one; 0: no coarse light, and fine light is updated
+  /// in frames with changes, too.
+  std::uint32_t coarser = 0;
   std::uint64_t photons = 20000;  ///< photons of the approximation
   std::uint32_t groupSize = 40;   ///< photons per group
   ChangeDetection detection = ChangeDetection::Flights;
   std::uint32_t photonsPerFrame = 0;  ///< most photons sent again per frame; 0: all that change
   int nearestPhotons = leastNearestOfAll;
   std::uint32_t texels = 4096;  ///< approximate number of the light map's texels
-  /// Approximate number of texels estimated per frame; 0: all that change.
-  std::uint32_t estimatesPerFrame = 1024;
+  std::uint32_t estimatesPerFrame = 0;  ///< most texels estimated per frame; 0: all that change
   LiveGatherOptions gather;
   std::uint64_t causticPhotons = 10000;
   std::uint32_t causticFrames = 8;  ///< most frames until all caustic photons are sent again
@@ -46,11 +55,12 @@ struct LiveFrame {
   std::uint32_t surfaces = 0;   ///< surfaces that were estimated again
   std::uint32_t estimates = 0;  ///< texels of these
   GatherFrame gather;
+  std::uint64_t coarseRays = 0;  ///< rays of the coarse light's final gathering
   bool causticsChanged = false;
   bool shownChanged = false;
   std::vector<std::pair<std::string, double>> stageSeconds;
 
-  std::uint64_t rays() const { return photons.rays + caustics.rays + gather.rays; }
+  std::uint64_t rays() const { return photons.rays + caustics.rays + gather.rays + coarseRays; }
 };
 
 /// Indirect light and caustics of a scene with moving objects and lights, updated a little per frame (Larsen
@@ -104,11 +114,18 @@ class LiveLight {
   SceneChange takeChanges();
   bool follow(const SceneChange& change);
   void makeLight(Progress& progress);
+  void makeIndirect(Progress& progress);
+  void advanceCaustics(LiveFrame& frame, Progress& progress);
+  void advanceCoarse(LiveFrame& frame, StageClock& stages, Progress& progress);
+  void advancePhotons(LiveFrame& frame, Progress& progress);
+  void advanceEstimates(LiveFrame& frame);
+  void advanceFine(LiveFrame& frame, StageClock& stages, Progress& progress);
 
   LiveScene scene_;
   LiveLightOptions options_;
   const Device& device_;
-  LightMapLayout layout_;
+  LightMapLayout layout_, coarseLayout_;
+  FrameBudget budget_;
   SurfaceRegions regions_;
   TransportScene transport_;
   MovingTriangles moving_;
@@ -117,6 +134,7 @@ class LiveLight {
   std::vector<PlannedPass> plan_;
   std::unique_ptr<LivePhotons> photons_, caustics_;
   std::unique_ptr<LiveApproximation> approximation_;
+  std::unique_ptr<CoarseLight> coarse_;
   std::unique_ptr<LiveGather> gather_;
 };
 

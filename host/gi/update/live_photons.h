@@ -63,6 +63,9 @@ class LivePhotons {
   /// doubles or halves a lamp's photons without changing its power.
   void look(const glm::dvec3& eye) { options_.thinning.eye = eye; }
 
+  /// Sets the most photons that a frame sends again, besides probes; 0: all that wait.
+  void limit(std::uint32_t photonsPerFrame) { options_.photonsPerFrame = photonsPerFrame; }
+
   /// Sends waiting photons again. `delta` receives what has changed.
   PhotonFrame advance(PhotonDelta& delta, Progress& progress);
 
