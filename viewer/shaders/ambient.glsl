@@ -7,7 +7,6 @@
 // - radianceBehind(): what comes through glass;
 // - ambientRadiance(): the light that arrives from everywhere, scattered by the surface's body;
 // - passageHere(): the share of light that passes through the body, in a text that defines KNOWS_PASSAGE;
-// - knowsLobesHere(), in a text that defines KNOWS_BAKED_LOBES (baked_lobes.glsl);
 // - isSender, and shadowsSamples: whether lampVisibility() knows of samples of emissive surfaces.
 #include "accessible_sky.glsl"
 #include "plain_openness.glsl"

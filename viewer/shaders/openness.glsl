@@ -16,12 +16,6 @@ struct Body {
 // Whether light comes through the surface, of which transfer knows what arrives on either side.
 bool passesKnownLight() { return hasTranslucency && translucency.a > 0.0 && knowsThrough != 0; }
 
-#ifndef KNOWS_BAKED_LOBES
-// Returns whether the light of a lobe is known here, that of lamps with it. A technique that knows it defines KNOWS_BAKED_LOBES and
-// answers what baked_lobes.glsl asks.
-bool knowsLobesHere() { return false; }
-#endif
-
 #ifndef KNOWS_PASSAGE
 // Returns the share of the light on a body's other side that passes through it. A technique that knows it defines KNOWS_PASSAGE.
 vec3 passageHere() { return vec3(1.0); }

@@ -14,7 +14,6 @@ struct Place {
   float coated;  // what the clear coat reflects of it
   vec3 hidden;   // mean radiance of what hides the sky, times its share
   float around;  // how much is known of what lies around, 0..1
-  bool bakedLobes;  // lobes reflect lamps as part of baked light
   float left;    // what coat and sheen leave of it to what lies below them
 };
 
@@ -41,8 +40,7 @@ Place placeOf(FragmentMaterial m, vec4 texCoords, int triangle, vec3 even, Norma
   p.s = scatteringOf(m, stretch, layerCovers);
   p.hidden = vec3(0.0);
   p.around = hasGloss || hasLayer ? aroundKnown(vPosition) : 0.0;
-  p.bakedLobes = !knowsAround(p) && knowsLobesHere();
-  p.byLamps = scatteringOf(m, stretch, layerReflectsLamps || knowsAround(p) || p.bakedLobes);
+  p.byLamps = scatteringOf(m, stretch, layerReflectsLamps || knowsAround(p));
   if (hasFilm) {
     addFilm(texCoords, p.top.coat, m, p.s);
     p.byLamps = p.s;

@@ -1,10 +1,9 @@
-// Reflection and transmission of the surroundings; needs place.glsl, lobe_axis.glsl, baked_lobes.glsl, glossy.glsl and the technique's ambient text.
+// Reflection and transmission of the surroundings; needs place.glsl, lobe_axis.glsl, glossy.glsl and the technique's ambient text.
 
 // Mean radiance in a lobe: of the sky past what the technique knows of the way, and of what hides it.
 vec3 radiancePastTechnique(Place p, Visibility seen, vec3 direction, float roughness, float spread) {
   vec3 radiance = radianceFrom(seen, direction, roughness, spread);
   if (p.hidden == vec3(0.0)) return radiance;
-  if (p.bakedLobes) return radiance + bakedRadiance(p, seen, direction, spread);
   return radiance + p.hidden * (1.0 - skyVisibility(seen, direction, roughness)) / max(1.0 - seen.ofSky, 0.1);
 }
 
@@ -63,7 +62,6 @@ vec3 reflectedAround(Place p, Visibility seen) {
   if (hasTopLayers)
     sum += reflectedInLobe(p, seen, vec3(p.coated), vec3(p.top.coat * coatF0), p.top.coatNormal, p.top.coatRoughness,
                            lobeAxis(p.top.coatNormal, p.toEye, p.top.coatRoughness, coatF0, 1.0, 0.0));
-  if (p.bakedLobes) sum += bakedHighlights(p, seen);
   return sum;
 }
 

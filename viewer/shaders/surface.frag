@@ -5,8 +5,7 @@
 //   shadows leave, and the sky as far as the technique knows that it is open;
 // - what hides the sky is reflected as the mean of the light that arrives from there, where the technique knows that, and as it is
 //   where a cube map shows what lies around (around.glsl);
-// - through diffuse transfer, the layer of a plain dielectric reflects lamps only as part of the mean light around, and where baked light is
-//   known by direction, all lobes reflect lamps as part of that (baked_lobes.glsl);
+// - through diffuse transfer, the layer of a plain dielectric reflects lamps only as part of the mean light around;
 // - glass shows straight through what the picture has behind it, but where the sky is known to lie there;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
 //   light map, of the sky, and of transfer that was baked with that of other sides;
@@ -55,7 +54,6 @@ uniform float thickness;      // of a body of glass, m
 #include "place.glsl"
 #include "lobe_axis.glsl"
 #include "lamp_lobes.glsl"
-#include "baked_lobes.glsl"
 #include "sky_lobes.glsl"
 #include "surface_output.glsl"
 
@@ -92,7 +90,7 @@ float passedToBody(Place p, vec3 toLight) {
 }
 
 // Whether lobes of a place show the highlights of lamps.
-bool showsLamps(Place p) { return reflectsLamps && !p.bakedLobes && (hasGloss || layerReflectsLamps || knowsAround(p)); }
+bool showsLamps(Place p) { return reflectsLamps && (hasGloss || layerReflectsLamps || knowsAround(p)); }
 
 // Returns the shares of the lobes of body and coat that glossy transfer holds.
 vec2 heldByTransfer(Place p) {

@@ -124,7 +124,7 @@ std::string sphericalGaussiansShader(std::size_t count) {
     const glm::vec3& d = lobes.directions[i];
     text += fmt::format("{}vec3({:.9e}, {:.9e}, {:.9e})", i > 0 ? ", " : "", d.x, d.y, d.z);
   }
-  text += fmt::format(");\nconst float encodedSharpness = {:.9e};\nconst float encodedPowers[6] = float[6](", lobes.sharpness);
+  text += ");\nconst float encodedPowers[6] = float[6](";
   for (std::size_t i = 0; i < lobes.irradiance.size(); ++i)
     text += fmt::format("{}{:.9e}", i > 0 ? ", " : "", lobes.irradiance[i]);
   return text + ");\n" + std::string(encodingShader("spherical_gaussians"));

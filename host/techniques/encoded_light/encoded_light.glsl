@@ -7,45 +7,28 @@
 
 uniform TEXELS encodedVertices;  // [vertex][number]
 
-// Numbers of a place, and the frame that they are relative to.
-struct EncodedPlace {
-  float values[encodedValueCount];
-  mat3 frame;
-  bool known;  // false: the surface has none, and they are 0
-};
-
-// Numbers of texels. n: the surface's unit normal of the side.
-EncodedPlace encodedOfMap(int triangle, bool front, vec3 point, vec3 n) {
-  EncodedPlace found;
-  found.frame = surfaceFrame(n);
-  for (int i = 0; i < encodedValueCount; ++i) found.values[i] = 0.0;
+// Irradiance of texels where a normal map turns the unit normal n to m.
+vec3 encodedMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) {
   LightMapPlace place;
-  found.known = findLightMapPlace(triangle, front, point, place);
-  if (!found.known) return found;
+  if (!findLightMapPlace(triangle, front, point, place)) return vec3(0.0);
+  float values[encodedValueCount];
   for (int i = 0; i < encodedValueCount; i += 3) {
     vec3 layer = lightMapLayer(place, i / 3);
-    for (int k = 0; k < 3 && i + k < encodedValueCount; ++k) found.values[i + k] = layer[k];
+    for (int k = 0; k < 3 && i + k < encodedValueCount; ++k) values[i + k] = layer[k];
   }
-  return found;
+  return encodedIrradiance(values, surfaceFrame(n), m);
 }
 
-// Numbers of vertices, which are those of their fronts.
-EncodedPlace encodedOfVertices(int triangle, vec3 point, vec3 n) {
+// Light of vertices is that of their fronts.
+vec3 encodedVertexIrradiance(int triangle, vec3 point, vec3 n, vec3 m) {
   ivec3 corners = ivec3(FETCH(triangleCorners, triangle).xyz);
   vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
   weights /= weights.x + weights.y + weights.z;
   ivec3 first = encodedValueCount * corners;
-  EncodedPlace found;
-  found.frame = surfaceFrame(n);
-  found.known = true;
+  float values[encodedValueCount];
   for (int i = 0; i < encodedValueCount; ++i) {
-    found.values[i] = weights.x * FETCH(encodedVertices, first.x + i).x + weights.y * FETCH(encodedVertices, first.y + i).x +
-                      weights.z * FETCH(encodedVertices, first.z + i).x;
+    values[i] = weights.x * FETCH(encodedVertices, first.x + i).x + weights.y * FETCH(encodedVertices, first.y + i).x +
+                weights.z * FETCH(encodedVertices, first.z + i).x;
   }
-  return found;
-}
-
-// Irradiance where a normal map turns the normal to m.
-vec3 irradianceOfEncoded(EncodedPlace place, vec3 m) {
-  return place.known ? encodedIrradiance(place.values, place.frame, m) : vec3(0.0);
+  return encodedIrradiance(values, surfaceFrame(n), m);
 }

@@ -46,10 +46,6 @@ void keepToSide(inout LightMapPlace p) {
   if (wide < dot(abs(lightMapLayer(p, 0)), luminance)) p.weights = before;
 }
 
-bool hasLightMapPlace(int triangle, bool front) {
-  return FETCH(lightMapCorners, 3 * (front ? triangle : frontFaces + triangle)).x >= 0.0;
-}
-
 // Finds the place of a point of a triangle's side; false where that has no place in the map.
 bool findLightMapPlace(int triangle, bool front, vec3 point, out LightMapPlace found) {
   int face = 3 * (front ? triangle : frontFaces + triangle);

@@ -1,1 +1,0 @@
-#include "cosine_lobe.glsl"

@@ -1,2 +1,0 @@
-#include "harmonic_sky.glsl"
-#include "sky_and_lamp.glsl"
