@@ -16,7 +16,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr int leastSide = 8, mostSide = 256;
+constexpr int leastRasterSide = 8, mostSide = 256;
 constexpr int atlasSide = 512;
 /// Edges over the diagonal of the scene's bounds, where straight edges become arcs that are drawn straight.
 constexpr double longestEdge = 1.0 / 24.0;
@@ -24,10 +24,11 @@ constexpr float nearestOfDiagonal = 1e-4f;
 constexpr GLuint seenUnit = 0, weightsUnit = 1;
 
 int checkedSide(int side) {
-  if (side >= leastSide && side <= mostSide && std::has_single_bit(static_cast<unsigned>(side))) return side;
+  if (side >= leastRasterSide && side <= mostSide && std::has_single_bit(static_cast<unsigned>(side)))
+    return side;
   throw Error(ExitCode::RuntimeFailure, "side of a hemisphere's picture",
-              std::to_string(side) + " texels; a power of two from " + std::to_string(leastSide) + " to " +
-                  std::to_string(mostSide) + " is needed");
+              std::to_string(side) + " texels; a power of two from " + std::to_string(leastRasterSide) +
+                  " to " + std::to_string(mostSide) + " is needed");
 }
 
 const HemiPlane& checkedPlane(const HemiPlane& plane) {

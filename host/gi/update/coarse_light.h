@@ -23,15 +23,15 @@ glm::vec3 followed(const glm::vec3& exact, const glm::vec3& then, const glm::vec
 /// Options of CoarseLight.
 struct CoarseLightOptions {
   LivePhotonOptions photons;
-  int nearestPhotons = 20;  ///< per estimate
-  std::uint32_t rays = 64;  ///< per texel while light changes, a power of two, 8 to 256
+  int nearestPhotons = 20;       ///< per estimate
+  std::uint32_t rays = 64;       ///< per texel while light changes, a power of two, 8 to 256
   std::uint32_t fineRays = 128;  ///< per texel from a fine approximation, a power of two, 8 to 256
   std::uint64_t seed = 0;
 };
 
 /// Indirect light by few photons at few texels of a coarse light map, as a fine light map's texels see it. It
-/// is computed anew in every frame with a change, and its changes are added to what refine() has gathered from
-/// the approximation of all photons.
+/// is computed anew in every frame with a change, and its changes are added to what refine() has gathered
+/// from the approximation of all photons.
 class CoarseLight {
  public:
   /// Computes the light. All arguments but the layouts and options must outlive the object; `fine` are the
@@ -65,7 +65,7 @@ class CoarseLight {
   LivePhotons photons_;
   LiveApproximation approximation_;
   FinalGather coarseGather_, fineGather_;
-  std::vector<LightMapLookUp> lookUps_;        ///< [place of the fine layout], into places of the coarse one
+  std::vector<LightMapLookUp> lookUps_;  ///< [place of the fine layout], into places of the coarse one
   std::vector<glm::vec3> refined_, then_, now_;  ///< [place of the coarse layout]
   std::vector<glm::vec3> light_;
   bool changed_ = false, unrefined_ = false;

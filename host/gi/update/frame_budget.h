@@ -43,9 +43,9 @@ class FrameBudget {
 
   double seconds_;
   Clock clock_;
-  double left_ = 0.0;                   ///< s
-  double last_ = 0.0;                   ///< time of the last call
-  std::array<double, 3> costs_;         ///< [kind], s per item
+  double left_ = 0.0;            ///< s
+  double last_ = 0.0;            ///< time of the last call
+  std::array<double, 3> costs_;  ///< [kind], s per item
 };
 
 }  // namespace prelight

@@ -72,7 +72,7 @@ class LiveApproximation {
   DensityEstimator estimator_;
   std::vector<Surface> surfaces_;       ///< [patch][front, back]
   std::vector<std::uint32_t> patchOf_;  ///< [place]
-  bool photonsAreOld_ = true;  ///< whether photons have come or gone since the estimator got them
+  bool photonsAreOld_ = true;           ///< whether photons have come or gone since the estimator got them
   std::vector<glm::vec3> values_, grid_;
   IrradianceMap map_;
 };

@@ -268,7 +268,7 @@ void LiveGather::look(const glm::dvec3& eye) {
 std::vector<double> LiveGather::expectedChanges() const {
   const double mean = meanIrradiance();
   std::vector<double> changes;
-  for (std::size_t i = 0; i < places_.size(); ++i) changes.push_back(waits(i, mean) ? priority(i) : 0.0);
+  for (std::size_t i = 0; i < places_.size(); ++i) changes.push_back(waits(i, mean) ? urgency(i) : 0.0);
   return changes;
 }
 

@@ -70,8 +70,8 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
   for (const std::uint32_t t : triangles) moves[t] = 1;
   findWalls(scene_.compiled(), transport_.tracer(), layout_, moves);
   if (hasCoarseLight(options)) {
-    coarseLayout_ =
-        layoutOf(scene, scene_.compiled(), std::max(1u, options.texels / (options.coarser * options.coarser)));
+    coarseLayout_ = layoutOf(scene, scene_.compiled(),
+                             std::max(1u, options.texels / (options.coarser * options.coarser)));
     findWalls(scene_.compiled(), transport_.tracer(), coarseLayout_, moves);
   }
   makeLight(progress);
@@ -191,8 +191,10 @@ LiveFrame LiveLight::advance(Progress& progress) {
   if (!photons_) return frame;
   if (coarse_) advanceCoarse(frame, stages, progress);
   // Fine light would be of the past before it is done.
-  if (!coarse_ || change.empty()) advanceFine(frame, stages, progress);
-  else frame.gather = gather_->advance(0, progress);
+  if (!coarse_ || change.empty())
+    advanceFine(frame, stages, progress);
+  else
+    frame.gather = gather_->advance(0, progress);
   frame.shownChanged = frame.coarseRays > 0 || frame.gather.texels > 0 || frame.gather.blending > 0;
   stages.mark("gather");
   return frame;
@@ -234,8 +236,8 @@ void LiveLight::advanceFine(LiveFrame& frame, StageClock& stages, Progress& prog
       budget_.spend(FrameWork::Rays, rays);
       stages.mark("coarse light");
     }
-    texels = limited(options_.gather.texelsPerFrame,
-                     budget_.affordable(FrameWork::Rays) / gather_->raysOfTexel());
+    texels =
+        limited(options_.gather.texelsPerFrame, budget_.affordable(FrameWork::Rays) / gather_->raysOfTexel());
   }
   frame.gather = gather_->advance(texels, progress);
   budget_.spend(FrameWork::Rays, frame.gather.rays);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/clocks.h"
 #include "gi/global_illumination.h"
 #include "gi/update/coarse_light.h"
 #include "gi/update/frame_budget.h"
@@ -19,7 +20,6 @@
 #include "prelight/light_map.h"
 #include "prelight/picture.h"
 #include "prelight/plan.h"
-#include "base/clocks.h"
 #include "prelight/progress.h"
 
 namespace prelight {
@@ -38,7 +38,7 @@ struct LiveLightOptions {
   ChangeDetection detection = ChangeDetection::Flights;
   std::uint32_t photonsPerFrame = 0;  ///< most photons sent again per frame; 0: all that change
   int nearestPhotons = leastNearestOfAll;
-  std::uint32_t texels = 4096;  ///< approximate number of the light map's texels
+  std::uint32_t texels = 4096;          ///< approximate number of the light map's texels
   std::uint32_t estimatesPerFrame = 0;  ///< most texels estimated per frame; 0: all that change
   LiveGatherOptions gather;
   std::uint64_t causticPhotons = 10000;

@@ -21,7 +21,10 @@ TEST(Followed, GrowingLight_IsAdded_AndShrinkingLight_IsScaled) {
   EXPECT_FLOAT_EQ(value.z, 0.0f);
 }
 
-std::vector<glm::vec3> copyOf(std::span<const glm::vec3> values) { return {values.begin(), values.end()}; }
+std::vector<glm::vec3> indirectOf(const LiveLight& live) {
+  const std::span<const glm::vec3> values = live.indirect();
+  return {values.begin(), values.end()};
+}
 
 /// Options of frames that have no time for anything but the coarse light.
 LiveLightOptions hastyOptions() {
@@ -49,7 +52,7 @@ TEST(CoarseLight, FramesWithoutAClock_AreAlikeInEveryRun) {
       if (f <= 4) live->moveNode(loaded.node("Short box"), shifted(0.05 * f, 0.0, 0.0));
       live->advance(progress);
     }
-    EXPECT_EQ(copyOf(first.indirect()), copyOf(second.indirect())) << f;
+    EXPECT_EQ(indirectOf(first), indirectOf(second)) << f;
   }
 }
 
