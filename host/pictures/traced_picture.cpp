@@ -74,11 +74,10 @@ PictureSetUp setUpPicture(DrawingSession& session, const PictureRequest& asked, 
 TracedPlan planTracedPicture(DrawingSession& session, const PictureRequest& asked, LoadedScene& loaded,
                              PictureSetUp& setUp) {
   std::vector<Light> lights = placeLamps(session, asked, loaded, setUp.sky);
-  TracedPlan plan{
-      asked.full,
-      viewer::chooseCamera(loaded.scene, loaded.compiled, asked.render.camera),
-      {loaded.compiled, loaded.scene.images, std::move(lights), setUp.sky.map ? &*setUp.sky.map : nullptr,
-       asked.render.skyRotation + setUp.sky.rotation}};
+  TracedPlan plan{asked.full,
+                  viewer::chooseCamera(loaded.scene, loaded.compiled, asked.render.camera),
+                  {loaded.compiled, loaded.scene.images, std::move(lights),
+                   setUp.sky.map ? &*setUp.sky.map : nullptr, asked.render.skyRotation + setUp.sky.rotation}};
   plan.request.height = asked.height;
   plan.request.width = asked.width.value_or(pictureWidth(plan.camera, asked.height));
   plan.request.seed = plan.request.indirect.seed = asked.bake.request.seed;

@@ -89,8 +89,8 @@ void PictureSlices::learn(double seconds, long area) {
 double PictureSlices::samplesNow() const {
   // Where most of a slice's time is spent on every slice alike, smaller ones would only add to it.
   const double aim = std::max(seconds_, 2.0 * overhead_) - overhead_;
-  const double cost = std::max(costOf(lastSeconds_, lastSamples_),
-                               costOf(dearestSeconds_, dearestSamples_) / dearest);
+  const double cost =
+      std::max(costOf(lastSeconds_, lastSamples_), costOf(dearestSeconds_, dearestSamples_) / dearest);
   const double most = std::max(lastSamples_, static_cast<double>(leastSide * leastSide)) * mostGrowth;
   return cost > 0.0 ? std::min(aim / cost, most) : most;
 }
@@ -100,8 +100,7 @@ void PictureSlices::startRow() {
     rows_ = top_;
     return;
   }
-  const int rows =
-      lastSamples_ > 0.0 ? std::min(towardsLeast(std::sqrt(samplesNow())), mostRows) : leastSide;
+  const int rows = lastSamples_ > 0.0 ? std::min(towardsLeast(std::sqrt(samplesNow())), mostRows) : leastSide;
   rows_ = top_ - rows < leastSide ? top_ : std::min(rows, top_);
 }
 

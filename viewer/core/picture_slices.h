@@ -45,12 +45,12 @@ class PictureSlices {
   int width_, height_;
   double seconds_;
   int probesDrawn_ = 0;
-  int top_;      ///< rows from here up are done
-  int x_ = 0;    ///< columns of the current row of slices that are done
+  int top_;       ///< rows from here up are done
+  int x_ = 0;     ///< columns of the current row of slices that are done
   int rows_ = 0;  ///< height of the current row of slices
   double overhead_ = std::numeric_limits<double>::infinity();  ///< s, of any slice: the least that one took
-  double lastSeconds_ = 0.0, lastSamples_ = 0.0;        ///< of the last slice
-  double dearestSeconds_ = 0.0, dearestSamples_ = 1.0;  ///< of the one with the dearest samples
+  double lastSeconds_ = 0.0, lastSamples_ = 0.0;               ///< of the last slice
+  double dearestSeconds_ = 0.0, dearestSamples_ = 1.0;         ///< of the one with the dearest samples
 };
 
 /// Chooses at which fraction of a window's size drafts are drawn, so that each takes less than `limit`.

@@ -372,16 +372,15 @@ SlicedWork Renderer::drawScene(Drawing drawing, Tile tile, const gl::Framebuffer
                                            : DrawnTransfer::usualTurnsInFaces;
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
   const double slice = drawing.picture.pace.slice;
-  SlicedWork surfaces =
-      drawInSlices(target.width(), target.height(), slice, [&](const SampleRect& rect) {
-        useSurfaceState();
-        useFrame(view, tile, lights, turns);
-        bindTextures(view);
-        for (const TechniquePass* pass : drawing.passes) pass->bindTextures();
-        target.bind();
-        drawOrdered(drawing, order, look, drawing.picture.passed);
-        if (drawing.drawn) drawing.drawn(rect);
-      });
+  SlicedWork surfaces = drawInSlices(target.width(), target.height(), slice, [&](const SampleRect& rect) {
+    useSurfaceState();
+    useFrame(view, tile, lights, turns);
+    bindTextures(view);
+    for (const TechniquePass* pass : drawing.passes) pass->bindTextures();
+    target.bind();
+    drawOrdered(drawing, order, look, drawing.picture.passed);
+    if (drawing.drawn) drawing.drawn(rect);
+  });
   while (surfaces.goOn()) co_await endOfSlice;
   if (drawing.layers != nullptr) drawLayers(drawing, order, std::move(look), target);
 }

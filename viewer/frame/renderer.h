@@ -113,7 +113,7 @@ class Renderer final : private SceneDrawer {
     const Passes& passes;
     LeftOut leftOut = {};  ///< of a cube map
     bool withoutEmission = false;
-    const LayerRequest* layers = nullptr;                  ///< nullptr: none but the picture itself
+    const LayerRequest* layers = nullptr;               ///< nullptr: none but the picture itself
     std::function<void(const SampleRect&)> drawn = {};  ///< is told of slices; empty: nobody is
   };
 

@@ -25,7 +25,8 @@ class DrawnTransfer;
 struct PicturePace {
   bool spread = false;  ///< many shadow maps and environment maps are redrawn over several pictures
   bool joined = false;  ///< occlusion that is the mean of several pictures takes those drawn before
-  double slice = PictureSlices::unbounded;  ///< s that a slice of the picture may take; SlicedWork pauses then
+  double slice =
+      PictureSlices::unbounded;  ///< s that a slice of the picture may take; SlicedWork pauses then
 };
 
 /// A picture that is about to be drawn, or one of the cube map faces that it needs.

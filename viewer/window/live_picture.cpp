@@ -88,8 +88,7 @@ void LivePicture::startStage(const View& view) {
     work_.emplace(renderer_.drawSliced(drawn, *shown_, sliceSeconds, {}));
     return;
   }
-  const gl::Framebuffer& samples =
-      targetOf(samples_, view.width * fullSamples_, view.height * fullSamples_);
+  const gl::Framebuffer& samples = targetOf(samples_, view.width * fullSamples_, view.height * fullSamples_);
   work_.emplace(renderer_.drawSliced(drawn, samples, sliceSeconds, [this](const SampleRect& rect) {
     resolver_.resolve(*samples_, rect, *shown_);
   }));

@@ -11,9 +11,9 @@
 
 namespace prelight::viewer {
 
-/// Keeps the picture of a view that changes up to date, and never draws for long at once. While the view moves
-/// it draws drafts, as fine as they are fluent. When the view has settled, slices of the picture with all
-/// samples replace the draft one after the other.
+/// Keeps the picture of a view that changes up to date, and never draws for long at once. While the view
+/// moves it draws drafts, as fine as they are fluent. When the view has settled, slices of the picture with
+/// all samples replace the draft one after the other.
 class LivePicture {
  public:
   static constexpr double fluentFrame = 1.0 / 60.0;  ///< s; quicker pictures have all samples at any time
@@ -61,9 +61,9 @@ class LivePicture {
   int fullSamples_;
   Resolver resolver_;
   DraftSize draftSize_;
-  std::optional<Shading> shading_;                         ///< of the last draft
+  std::optional<Shading> shading_;                          ///< of the last draft
   std::optional<gl::Framebuffer> shown_, draft_, samples_;  ///< the last two where they have another size
-  std::optional<SlicedWork> work_;                         ///< of the stage, once it has begun
+  std::optional<SlicedWork> work_;                          ///< of the stage, once it has begun
   Stage stage_ = Stage::AllSamples;
   std::optional<std::size_t> drawn_;   ///< changes that the picture shows
   std::optional<double> fullSeconds_;  ///< that a picture of all samples takes, as far as is known

@@ -12,8 +12,8 @@ class Resolver {
  public:
   Resolver();
 
-  /// Fills the pixels of `target` all of whose samples lie in a rectangle of the picture. The larger size is a
-  /// multiple of the smaller one, or nearly so.
+  /// Fills the pixels of `target` all of whose samples lie in a rectangle of the picture. The larger size is
+  /// a multiple of the smaller one, or nearly so.
   void resolve(const gl::Framebuffer& samples, const SampleRect& rect, const gl::Framebuffer& target) const;
 
  private:

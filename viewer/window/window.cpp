@@ -32,7 +32,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double settleTime = 0.2;  ///< s without a change until a picture gets all its samples
-constexpr double shownEvery = 0.1;  ///< s until further slices of a picture that nothing else changes are shown
+constexpr double shownEvery =
+    0.1;  ///< s until further slices of a picture that nothing else changes are shown
 constexpr double countedFrame = 1.0 / 60.0;  ///< s that pass in a frame of a window that counts them
 
 std::string glfwReason() {
@@ -269,8 +270,8 @@ class WindowLoop {
 
   void run() {
     const int frames = showing_.frames;
-    for (int frame = 0;
-         glfwWindowShouldClose(parts_.window) == GLFW_FALSE && (frames == 0 || frame < frames); ++frame) {
+    for (int frame = 0; glfwWindowShouldClose(parts_.window) == GLFW_FALSE && (frames == 0 || frame < frames);
+         ++frame) {
       takeEvents(frames > 0 || frame < 3);
       if (!fitToWindow()) continue;  // minimised
       update();
@@ -312,8 +313,7 @@ class WindowLoop {
     tellNotes(parts_.scene, showing_);
     if (controls.changes() != seen_ || isLit_) lastChange_ = Clock::now();
     seen_ = controls.changes();
-    const bool settled =
-        secondsSince(lastChange_) > settleTime && !parts_.follower.isBusy(controls.view());
+    const bool settled = secondsSince(lastChange_) > settleTime && !parts_.follower.isBusy(controls.view());
     if (isLit_ || (!settled && parts_.renderer.isBehind())) picture.invalidate();
     if (settled && picture.isFinal(controls.changes()) && parts_.renderer.isBehind()) picture.refineAgain();
     const bool isDraft = !settled || !picture.isDraft();
@@ -338,9 +338,9 @@ class WindowLoop {
   Presenter presenter_;
   Clock::time_point lastChange_ = Clock::now(), lastFrame_ = lastChange_, lastShown_ = lastChange_;
   std::size_t seen_ = 0;
-  bool isLit_ = false;     ///< the last update has changed the light
-  bool mustShow_ = true;   ///< the last update has drawn a draft, or the last slice
-  bool isShown_ = false;   ///< the window shows what was last drawn
+  bool isLit_ = false;    ///< the last update has changed the light
+  bool mustShow_ = true;  ///< the last update has drawn a draft, or the last slice
+  bool isShown_ = false;  ///< the window shows what was last drawn
 };
 
 }  // namespace

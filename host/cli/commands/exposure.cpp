@@ -23,8 +23,7 @@ void addExposureOption(CLI::App& app, ExposureOption& option) {
 bool takesLayers(const std::filesystem::path& output) { return lowerExtension(output) == ".exr"; }
 
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const pictures::LayeredPicture& layered,
-                                   const ExposureOption& option) {
+                                   const pictures::LayeredPicture& layered, const ExposureOption& option) {
   const Picture& picture = layered.picture;
   std::optional<double> exposure;
   if (!takesLayers(output)) {

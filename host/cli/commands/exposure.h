@@ -27,8 +27,7 @@ bool takesLayers(const std::filesystem::path& output);
 /// Writes a picture: an .exr as it is with its layers, a .png with the exposure that was asked for or that
 /// suits it, with a note where it was metered. Returns the exposure, or none for an .exr.
 std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
-                                   const pictures::LayeredPicture& layered,
-                                   const ExposureOption& option);
+                                   const pictures::LayeredPicture& layered, const ExposureOption& option);
 
 /// Tells of an exposure that was metered.
 void noteExposure(Session& session, double exposure);

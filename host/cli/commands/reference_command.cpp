@@ -289,8 +289,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   pictures::makeSurfaces(lights, loaded);
   const auto [sky, studio, name, turn] = pictures::choosePictureSky(
       session, command.environment, command.lights.has_value(), false, loaded, command.camera);
-  if (!command.camera)
-    pictures::frameScene(session, studio, command.size.width, command.size.height, loaded);
+  if (!command.camera) pictures::frameScene(session, studio, command.size.width, command.size.height, loaded);
   checkOutputFile("-o", command.output, {".exr"});
 
   pictures::PictureDenoising denoising(command.request.guides);

@@ -13,6 +13,13 @@
 #include "viewer/techniques/screen/occlusion_target.h"
 
 namespace prelight::viewer {
+/// Pixels of a picture that occlusion is looked for at: every stride-th of the whole picture, each way.
+struct OcclusionGrid {
+  glm::ivec2 corner;   ///< of the first in the layers
+  glm::ivec2 size;     ///< how many
+  glm::ivec2 pattern;  ///< number of the first, modulo that of a pattern's side
+};
+
 namespace {
 
 /// The shader that finds what occludes a pixel.
@@ -34,16 +41,9 @@ const char* shaderOf(OcclusionMethod method) {
   return "";
 }
 
-/// Pixels of a picture that occlusion is looked for at: every stride-th of the whole picture, each way.
-struct Grid {
-  glm::ivec2 corner;   ///< of the first in the layers
-  glm::ivec2 size;     ///< how many
-  glm::ivec2 pattern;  ///< number of the first, modulo that of a pattern's side
-};
-
 glm::ivec2 below(const glm::ivec2& value, int stride) { return ((value % stride) + stride) % stride; }
 
-Grid gridOf(const OcclusionPicture& picture, int around, int stride) {
+OcclusionGrid gridOf(const OcclusionPicture& picture, int around, int stride) {
   const glm::ivec2 first = picture.origin - around;
   const glm::ivec2 shift = below(first, stride);
   const glm::ivec2 last = glm::ivec2(picture.width, picture.height) - 1 + around + shift;
@@ -129,7 +129,7 @@ SlicedWork OcclusionPass::find(OcclusionPicture picture, int around, ScreenOcclu
                                OcclusionLight light, int turn, Targets& targets) {
   const gl::Framebuffer& first = *layers_[0];
   const int layers = layersOf(options), outputs = outputsOf(options);
-  const Grid grid = gridOf(picture, around + filterReach * options.stride, options.stride);
+  const OcclusionGrid grid = gridOf(picture, around + filterReach * options.stride, options.stride);
   const glm::vec4 screen(first.width(), first.height(), picture.radius, picture.margin);
 
   const gl::Program& program =

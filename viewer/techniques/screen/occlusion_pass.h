@@ -64,9 +64,9 @@ class OcclusionPass {
 
   /// The Frame block in use is of the picture with its margin; of Ssdo, the Lights block is that of the
   /// picture, and the sky's map is bound. `turn`: number of the picture among those whose mean is taken.
-  /// Draws found(): outputsOf(options) pictures of every sample. First: mean open direction (of Gtao and Disks, else
-  /// 0), scene coordinates, or of Ssdo the sky's irradiance over pi; accessibility. Second, of Ssdo: which
-  /// share of each lamp arrives. Third: irradiance over pi from surfaces.
+  /// Draws found(): outputsOf(options) pictures of every sample. First: mean open direction (of Gtao and
+  /// Disks, else 0), scene coordinates, or of Ssdo the sky's irradiance over pi; accessibility. Second, of
+  /// Ssdo: which share of each lamp arrives. Third: irradiance over pi from surfaces.
   SlicedWork draw(OcclusionPicture picture, ScreenOcclusionOptions options, OcclusionLight light, int turn);
   const gl::Framebuffer& found() const { return *ofPicture_.filtered; }
 

@@ -131,11 +131,10 @@ SlicedWork ScreenShading::drawSent(const ScreenTile& tile, const std::vector<con
   senders.variant.rules.ambient = screenSender;
   senders.causticCorner = glm::ivec4(0);
   const gl::Framebuffer& sent = pass_.sent(tile.picture);
-  SlicedWork sending =
-      drawInSlices(sent.width(), sent.height(), tile.picture.slice, [&](const SampleRect&) {
-        useSurfaceState();
-        batches_.drawInto(sent, opaque, senders);
-      });
+  SlicedWork sending = drawInSlices(sent.width(), sent.height(), tile.picture.slice, [&](const SampleRect&) {
+    useSurfaceState();
+    batches_.drawInto(sent, opaque, senders);
+  });
   while (sending.goOn()) co_await endOfSlice;
 }
 
