@@ -182,8 +182,11 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
   renderer_.observePasses([&](const viewer::DrawnPass& drawn) { passed(nameOf(drawn.pass)); });
   if (follower_.update(controls_) || renderer_.isBehind()) picture_.invalidate();
   passed("light that follows");
-  picture_.update(controls_.view(), controls_.changes(), settled);
-  presenter_.present(picture_.target(), picture_.samples(), screen_->name());
+  if (settled)
+    picture_.finish(controls_.view(), controls_.changes());
+  else
+    picture_.update(controls_.view(), controls_.changes(), false);
+  presenter_.present(picture_.shown(), 1, screen_->name());
   passed("presentation");
   renderer_.observePasses({});
   return times;
