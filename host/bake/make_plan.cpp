@@ -97,6 +97,13 @@ std::string reasonAgainstSpecular(const BakeRequest& request, bool bounces) {
   return "";
 }
 
+/// Returns which lamps' light is not carried on by transfer of the sky, or an empty text if none.
+std::string exceptLampsWithin(const PlanInput& input) {
+  if (transferOrder(input.request) == 0) return "";
+  const std::string lamps = lampsWithin(input.scene);
+  return lamps.empty() ? "" : "; the light of " + lamps + " within the scene is not carried on";
+}
+
 PlannedPass planSpecular(const PlanInput& input) {
   const std::vector<bool> used = usedMaterials(input.scene);
   const bool gloss = input.request.glossyBounces;
@@ -116,7 +123,8 @@ PlannedPass planSpecular(const PlanInput& input) {
             : fmt::format("{} transmissive and {} mirror-like materials", glass, mirrors);
   if (against.empty())
     return {Pass::SpecularTransport, true,
-            "rays go on from " + counted + " until they meet the sky or a diffuse surface"};
+            "rays go on from " + counted + " until they meet the sky or a diffuse surface" +
+                exceptLampsWithin(input)};
   for (const Technique& technique : techniques())
     if (const char* by = technique.plan.specularLight ? technique.plan.specularLight(input.request) : nullptr)
       return {Pass::SpecularTransport, false,

@@ -13,6 +13,7 @@
 #include "base/machine_memory.h"
 #include "library/open_scene.h"
 #include "library/refine_scene.h"
+#include "plan/cast_orders.h"
 #include "scene/dark_lamps.h"
 #include "scene/gltf/charts.h"
 #include "scene/light_sources.h"
@@ -77,6 +78,18 @@ StateKey keyOf(const BakeScene& scene, const BakeRequest& request, const DeviceI
   return key;
 }
 
+/// Warns where specular transport runs and lamps shine within the scene. Transfer knows light by its direction
+/// alone, and glass and mirrors pass on none of theirs.
+void warnOfLampsWithin(const CompiledScene& scene, const BakeRequest& request, BakeRun& run) {
+  if (!run.plan.runs(Pass::SpecularTransport) || transferOrder(request) == 0) return;
+  const std::string lamps = lampsWithin(scene);
+  if (lamps.empty()) return;
+  run.report.warnings.push_back(
+      fmt::format("specular transport carries the light of the sky, but not that of {} within the scene; "
+                  "--light-groups has the latter after a bounce, --lightmap --caustics all of it",
+                  lamps));
+}
+
 }  // namespace
 
 LoadedScene withCharts(LoadedScene scene, const BakeRequest& request, Steps& steps) {
@@ -106,6 +119,7 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
                        &scene.scene, hemispheres.get());
   run.report.warnings =
       warningsOfDarkness(scene.scene, scene.compiled, run.bake, request.radiosity.environment.get());
+  warnOfLampsWithin(scene.compiled, request, run);
   run.bake.info.moment = scene.scene.moment;
   run.bake.info.variant = scene.scene.variant;
   if (scene.scene.scenes.size() > 1) run.bake.info.scene = scene.scene.chosen;

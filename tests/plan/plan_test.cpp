@@ -260,6 +260,12 @@ TEST(Plan, SpecularTransport_RunsWhereItIsAskedForAndNeeded) {
   EXPECT_TRUE(plan.runs(Pass::SpecularTransport));
   EXPECT_NE(reasonOf(plan, Pass::ShTransfer).find("3 channels"), std::string::npos);
   EXPECT_NE(reason(test::ground(4, 1.0f)).find("no material is transmissive"), std::string::npos);
+  EXPECT_EQ(reason(glassBall()).find("not carried on"), std::string::npos);
+  CompiledScene lit = glassBall();
+  lit.lights.emplace_back();
+  lit.lights[0].position = {0.5, 0.3, 0.5};
+  EXPECT_NE(reason(lit).find("the light of a light within the scene is not carried on"), std::string::npos)
+      << reason(lit);
   request.limits.farthest = 1.0;
   EXPECT_NE(reason(glassBall()).find("limits of distance"), std::string::npos);
   request = BakeRequest{.ao = true, .specular = true};
