@@ -108,9 +108,13 @@ QuantizedBytes quantizedBytes(const GltfDocument& document) {
     const Json* extension = extensionOf(node);
     const Json* entries = extension ? find(*extension, "primitives", Json::value_t::array) : nullptr;
     if (entries == nullptr) continue;
-    for (const Json& entry : *entries)
+    for (const Json& entry : *entries) {
       if (const Json* members = find(entry, "quantized", Json::value_t::object))
         for (const auto& member : members->items()) add(member.key(), Json{{member.key(), member.value()}});
+      // Quantised records of vector occluders have a place of their own.
+      const Json* occluders = find(entry, "vo", Json::value_t::object);
+      if (occluders != nullptr && occluders->contains("bytes")) add("vo", *occluders);
+    }
   }
   const Json* root = extensionOf(document.json);
   if (root != nullptr && root->contains("glossyCompressed")) add("glossy", root->at("glossyCompressed"));

@@ -12,7 +12,8 @@ namespace prelight {
 /// they are at the end (where embedBake() puts them) and nothing else refers to them.
 void stripBake(GltfDocument& document);
 
-/// Bytes of members that stand in entries' `quantized`, with what their vertices share, [member].
+/// Bytes of entries' members that are stored as bytes in place of floats (those in `quantized`, and `vo`), with
+/// what their vertices share, [member].
 using QuantizedBytes = std::map<std::string, std::size_t, std::less<>>;
 QuantizedBytes quantizedBytes(const GltfDocument& document);
 
