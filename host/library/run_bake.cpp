@@ -78,7 +78,7 @@ StateKey keyOf(const BakeScene& scene, const BakeRequest& request, const DeviceI
   return key;
 }
 
-/// Warns where specular transport runs and lamps shine within the scene: transfer knows light by its direction
+/// Warns where specular transport runs and lamps shine within the scene. Transfer knows light by its direction
 /// alone, and glass and mirrors pass on none of theirs.
 void warnOfLampsWithin(const CompiledScene& scene, const BakeRequest& request, BakeRun& run) {
   if (!run.plan.runs(Pass::SpecularTransport) || transferOrder(request) == 0) return;
@@ -86,7 +86,7 @@ void warnOfLampsWithin(const CompiledScene& scene, const BakeRequest& request, B
   if (lamps.empty()) return;
   run.report.warnings.push_back(
       fmt::format("specular transport carries the light of the sky, but not that of {} within the scene; "
-                  "--light-groups has the latter after a bounce, and --lightmap all of it",
+                  "--light-groups has the latter after a bounce, --lightmap --caustics all of it",
                   lamps));
 }
 
