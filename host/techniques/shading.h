@@ -40,7 +40,7 @@ struct ShadingTraits {
 };
 
 /// The relMSE of a shading's pictures against all light, as measured over the built-in scenes
-/// (docs/shading.md), by what lights them.
+/// (docs/notes/techniques.md), by what lights them.
 struct ExpectedError {
   float sky = 1.0f;
   float outside = 1.0f;  ///< lamps outside of the scene

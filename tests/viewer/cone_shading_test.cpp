@@ -17,7 +17,7 @@ namespace {
 using test::expectColor;
 using test::pixelAt;
 using test::QuadScene;
-using test::square;
+using test::squareByBake;
 using viewer::Shading;
 
 constexpr auto floatPi = static_cast<float>(std::numbers::pi);
@@ -43,7 +43,7 @@ glm::vec3 underLamp(const glm::vec3& axis, float aperture, const glm::dvec3& fro
   quad.scene.lights = {test::makeLight(LightType::Directional, glm::vec3(floatPi), {}, fromLamp)};
   quad.setSky(constantEnvironment(glm::vec3(0)));
   bakeCone(quad, axis, aperture, 0.25f);
-  return pixelAt(quad.render(square(Shading::Cones)));
+  return pixelAt(quad.render(squareByBake(Shading::Cones)));
 }
 
 TEST(ConeShading, EvenSky_IsTheAccessibilityWhateverTheCone) {
@@ -51,7 +51,7 @@ TEST(ConeShading, EvenSky_IsTheAccessibilityWhateverTheCone) {
     QuadScene quad = whiteQuad();
     quad.setSky(constantEnvironment(glm::vec3(2)));
     bakeCone(quad, {0.6f, 0, 0.8f}, aperture, 0.3f);
-    expectColor(pixelAt(quad.render(square(Shading::Cones))), glm::dvec3(0.6), 1e-4);
+    expectColor(pixelAt(quad.render(squareByBake(Shading::Cones))), glm::dvec3(0.6), 1e-4);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(ConeShading, LampOfASkyBehindTwoSidedQuad_HasTheAccessibleShare) {
   ASSERT_EQ(parts.lamps.size(), 1u);
   bakeCone(quad, {0, 0, 1}, 0.5f, 0.25f);
   const glm::dvec3 expected = 0.25 * parts.lamps[0].irradiance / std::numbers::pi;
-  expectColor(pixelAt(quad.render(square(Shading::Cones))), expected, 0.005 * expected.x);
+  expectColor(pixelAt(quad.render(squareByBake(Shading::Cones))), expected, 0.005 * expected.x);
 }
 
 /// Share of a cap's solid angle within a cone, by points on the cap. Angles are in radians.
@@ -104,7 +104,7 @@ double shareOfBall(double ballRadius, double coneRadius, double apart) {
         viewer::parseLight(fmt::format("area:sphere:0,0,3:{}:1,1,1", 3.0 * std::sin(ballRadius)))};
     quad.setSky(constantEnvironment(glm::vec3(0)));
     bakeCone(quad, axis, static_cast<float>(std::cos(cone)), 1.0f);
-    return pixelAt(quad.render(square(Shading::Cones))).r;
+    return pixelAt(quad.render(squareByBake(Shading::Cones))).r;
   };
   return draw({std::sin(apart), 0.0, std::cos(apart)}, coneRadius) / draw({0, 0, 1}, 0.5 * std::numbers::pi);
 }
@@ -149,7 +149,7 @@ TEST(ConeShading, SunOfASky_ShinesIntoItsConeAlone) {
     QuadScene quad = whiteQuad();
     quad.setSky(skyWithSun(sun, 3.0));
     bakeCone(quad, axis, 0.9f, 0.19f);
-    return pixelAt(quad.render(square(Shading::Cones))).r;
+    return pixelAt(quad.render(squareByBake(Shading::Cones))).r;
   };
   EXPECT_NEAR(draw({0.6f, 0.0f, 0.8f}), 3.0 * 0.8 / std::numbers::pi + 0.19 * 0.2, 0.02);
   EXPECT_NEAR(draw({-0.6f, 0.0f, 0.8f}), 0.19 * 0.2, 1e-3);
@@ -160,7 +160,7 @@ TEST(ConeShading, SunOfATurnedSky_IsTurned) {
   QuadScene quad = whiteQuad();
   quad.setSky(skyWithSun({1.0, 0.0, 0.0}, 3.0));
   bakeCone(quad, {0.0f, 0.0f, 1.0f}, 0.9f, 0.19f);
-  viewer::RenderOptions options = square(Shading::Cones);
+  viewer::RenderOptions options = squareByBake(Shading::Cones);
   options.skyRotation = -0.5 * std::numbers::pi;  // From +X to +Z.
   EXPECT_NEAR(pixelAt(quad.render(options)).r, 3.0 / std::numbers::pi + 0.19 * 0.2, 0.02);
 }
@@ -176,7 +176,7 @@ TEST(ConeShading, MetalUnderASun_ReflectsItOnce) {
     quad.lookFrom({0, 0, 2}, {0, 0, 0});
     quad.setSky(skyWithSun({0.0, 0.0, 1.0}, 3.0));
     bakeCone(quad, {0.0f, 0.0f, 1.0f}, 0.0f, 1.0f);
-    return pixelAt(quad.render(square(shading))).r;
+    return pixelAt(quad.render(squareByBake(shading))).r;
   };
   EXPECT_NEAR(reflected(Shading::Cones), reflected(Shading::Ao), 1e-3 * reflected(Shading::Ao));
 }
@@ -186,7 +186,7 @@ TEST(ConeShading, NarrowCone_PicksItsSideOfTheSky) {
     QuadScene quad = whiteQuad();
     quad.setSky(test::halvedSky());
     bakeCone(quad, {1, 0, 0}, aperture, 1.0f);
-    const glm::vec3 pixel = pixelAt(quad.render(square(Shading::Cones)));
+    const glm::vec3 pixel = pixelAt(quad.render(squareByBake(Shading::Cones)));
     EXPECT_GT(pixel.r, 0.9f) << aperture;
     EXPECT_LT(pixel.g, 0.1f) << aperture;
   }
@@ -204,7 +204,7 @@ TEST(ConeShading, MirrorThatLooksOutOfItsCone_ReflectsWhatHidesTheSky) {
     quad.lookFrom({0, 0, 2}, {0, 0, 0});
     quad.setSky(constantEnvironment(glm::vec3(2)));
     bakeCone(quad, axis, aperture, 0.3f);
-    return pixelAt(quad.render(square(Shading::Cones)));
+    return pixelAt(quad.render(squareByBake(Shading::Cones)));
   };
   EXPECT_NEAR(reflected(glm::normalize(glm::vec3(1, 0, 0.2f)), 0.9f).r, 0.5f * 0.3f * 2.0f, 1e-3f);
   EXPECT_GT(reflected({0, 0, 1}, 0.9f).r, 1.9f);

@@ -20,7 +20,7 @@ namespace {
 using test::expectColor;
 using test::pixelAt;
 using test::QuadScene;
-using test::square;
+using test::squareByBake;
 using viewer::Shading;
 
 constexpr auto floatPi = static_cast<float>(std::numbers::pi);
@@ -71,7 +71,7 @@ float shareOfLamp(LightType type, double turn, double height, const std::array<f
     if (interpolated)
       for (std::size_t i = 0; i < quad.bake.horizons->angles.size(); ++i)
         quad.bake.horizons->angles[i] *= i / sectors == 0 || i / sectors == 1 ? 2.0f : 0.0f;
-    viewer::RenderOptions options = square(Shading::Horizons);
+    viewer::RenderOptions options = squareByBake(Shading::Horizons);
     options.horizonSoftness = softness;
     return pixelAt(quad.render(options)).r;
   };
@@ -84,7 +84,7 @@ TEST(HorizonShading, EvenSky_IsTheMeanOfOneMinusSquaredSines) {
   bakeHorizons(quad, {0.0f, 0.3f, 0.6f, 1.2f});
   double open = 0.0;
   for (const double angle : {0.0, 0.3, 0.6, 1.2}) open += 0.25 * std::pow(std::cos(angle), 2);
-  expectColor(pixelAt(quad.render(square(Shading::Horizons))), glm::dvec3(2.0 * open), 1e-4);
+  expectColor(pixelAt(quad.render(squareByBake(Shading::Horizons))), glm::dvec3(2.0 * open), 1e-4);
 }
 
 TEST(HorizonShading, HorizonOnOneSide_PicksTheOtherSideOfTheSky) {
@@ -97,7 +97,7 @@ TEST(HorizonShading, HorizonOnOneSide_PicksTheOtherSideOfTheSky) {
   QuadScene quad = whiteQuad();
   quad.setSky(test::halvedSky());
   bakeHorizons(quad, angles);
-  const glm::vec3 pixel = pixelAt(quad.render(square(Shading::Horizons)));
+  const glm::vec3 pixel = pixelAt(quad.render(squareByBake(Shading::Horizons)));
   EXPECT_GT(pixel.r, 2.0f * pixel.g);
 }
 
@@ -150,7 +150,7 @@ TEST(HorizonShading, AreaLight_IsAsSoftAsItIsLarge) {
           viewer::parseLight(fmt::format("area:sphere:{},{},{}:0.3:10,10,10", place.x, place.y, place.z))};
       quad.setSky(constantEnvironment(glm::vec3(0)));
       bakeHorizons(quad, even(horizon));
-      viewer::RenderOptions options = square(Shading::Horizons);
+      viewer::RenderOptions options = squareByBake(Shading::Horizons);
       options.horizonSoftness = 0.0;
       return pixelAt(quad.render(options)).r;
     };
@@ -168,7 +168,7 @@ TEST(HorizonShading, MirrorThatLooksBelowItsHorizon_ReflectsWhatHidesTheSky) {
     quad.lookFrom(2.0 * wayTo(1.0, 0.7), {0, 0, 0});
     quad.setSky(constantEnvironment(glm::vec3(2)));
     bakeHorizons(quad, even(horizon));
-    return pixelAt(quad.render(square(Shading::Horizons))).r;
+    return pixelAt(quad.render(squareByBake(Shading::Horizons))).r;
   };
   const float open = 1.0f - std::pow(std::sin(0.8f), 2.0f);
   EXPECT_NEAR(reflected(0.8f), 0.5f * open * 2.0f, 2e-3f);
@@ -189,7 +189,7 @@ TEST(HorizonShading, LampOfASkyBehindTwoSidedQuad_HasTheAccessibleShare) {
   bakeHorizons(quad, even(0.3f));
   const double open = std::pow(std::cos(0.3), 2);  // above the horizons, which are those of the front
   const glm::dvec3 expected = open * parts.lamps[0].irradiance / std::numbers::pi;
-  expectColor(pixelAt(quad.render(square(Shading::Horizons))), expected, 0.005 * expected.x);
+  expectColor(pixelAt(quad.render(squareByBake(Shading::Horizons))), expected, 0.005 * expected.x);
 }
 
 }  // namespace

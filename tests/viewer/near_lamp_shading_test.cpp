@@ -21,7 +21,7 @@ namespace {
 using test::expectColor;
 using test::pixelAt;
 using test::QuadScene;
-using test::square;
+using test::squareByBake;
 using viewer::Shading;
 
 constexpr auto lampPi = static_cast<float>(std::numbers::pi);
@@ -41,7 +41,7 @@ void blockFirstShell(QuadScene& quad, double blocked) {
 
 /// The middle of a draft picture, as a window draws it while something moves.
 glm::vec3 draftPixel(const QuadScene& quad) {
-  const viewer::RenderOptions options = square(Shading::Sh);
+  const viewer::RenderOptions options = squareByBake(Shading::Sh);
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(quad.inputs());
   viewer::View view = viewer::makeView(quad.inputs(), options);
@@ -63,7 +63,7 @@ glm::vec3 lampOver(double distance, double blocked, bool withShells, Shading sha
   quad.bakeOpen(3);
   quad.bake.ch = quad.bake.sh;
   if (withShells) blockFirstShell(quad, blocked);
-  return pixelAt(quad.render(square(shading)));
+  return pixelAt(quad.render(squareByBake(shading)));
 }
 
 TEST(NearLampShading, LampBehindWhatBlocks_IsDark) {
@@ -86,7 +86,7 @@ glm::vec3 panelOver(double distance, double blocked, bool withShells, bool draft
   quad.compile();
   quad.bakeOpen(3);
   if (withShells) blockFirstShell(quad, blocked);
-  return draft ? draftPixel(quad) : pixelAt(quad.render(square(Shading::Sh)));
+  return draft ? draftPixel(quad) : pixelAt(quad.render(squareByBake(Shading::Sh)));
 }
 
 TEST(NearLampShading, EmissiveSurfaceBehindWhatBlocks_IsDark_InDraftsToo) {
@@ -129,7 +129,7 @@ glm::vec3 diskOver(double distance, double blocked, bool withShells, Shading sha
   quad.bakeOpen(3);
   quad.bake.ch = quad.bake.sh;
   if (withShells) blockFirstShell(quad, blocked);
-  return pixelAt(quad.render(square(shading)));
+  return pixelAt(quad.render(squareByBake(shading)));
 }
 
 TEST(NearLampShading, AreaLight_IsDarkBehindAndBrightBeforeWhatBlocks) {
@@ -160,7 +160,7 @@ TEST(NearLampShading, SixteenLampsBehindWhatBlocks_AreDark_AndASeventeenthIsNot)
     quad.bakeOpen(3);
     blockFirstShell(quad, 1.0);
     const float left = count == 17 ? 1.0f / (25.0f * lampPi) : 0.0f;  // Light of the weakest lamp.
-    expectColor(pixelAt(quad.render(square(Shading::Sh))), glm::dvec3(left), 4e-3);
+    expectColor(pixelAt(quad.render(squareByBake(Shading::Sh))), glm::dvec3(left), 4e-3);
   }
 }
 

@@ -87,6 +87,12 @@ viewer::RenderOptions square(viewer::Shading shading, int size) {
   return options;
 }
 
+viewer::RenderOptions squareByBake(viewer::Shading shading, int size) {
+  viewer::RenderOptions options = square(shading, size);
+  options.direct = LampShadows::Baked;
+  return options;
+}
+
 glm::vec3 pixelAt(const Picture& picture, double x, double y) {
   const auto column = static_cast<std::size_t>(x * picture.width);
   const auto row = static_cast<std::size_t>(y * picture.height);

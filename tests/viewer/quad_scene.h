@@ -49,6 +49,9 @@ struct QuadScene {
 /// Options of a small square picture.
 viewer::RenderOptions square(viewer::Shading shading = viewer::Shading::Phong, int size = 33);
 
+/// The same, of a picture in which lamps have no shadows but those of the shading's own data.
+viewer::RenderOptions squareByBake(viewer::Shading shading, int size = 33);
+
 /// The pixel in the middle of a picture, or at a fraction of its size.
 glm::vec3 pixelAt(const Picture& picture, double x = 0.5, double y = 0.5);
 
