@@ -29,6 +29,8 @@ void expectSameAsInOnePiece(Shading shading, int samples, const ScreenOcclusionO
   const RenderInputs inputs = quad.inputs();
   Renderer renderer(inputs), other(inputs);
   View view = makeView(inputs, windowOptions());
+  view.width = 120;
+  view.height = 90;
   view.shading = shading;
   view.screenOcclusion = occlusion;
   LivePicture picture(renderer, samples);
@@ -43,7 +45,8 @@ void expectSameAsInOnePiece(Shading shading, int samples, const ScreenOcclusionO
 
 TEST(LivePicture, OfAViewThatRests_IsTheOneDrawnInOnePiece) {
   for (const Shading shading : {Shading::Phong, Shading::Ao, Shading::Sh, Shading::Screen})
-    for (const int samples : {2, 3}) expectSameAsInOnePiece(shading, samples);
+    expectSameAsInOnePiece(shading, 2);
+  expectSameAsInOnePiece(Shading::Phong, 1);
 }
 
 TEST(LivePicture, OfEveryWayToFindOcclusion_IsTheOneDrawnInOnePiece) {
