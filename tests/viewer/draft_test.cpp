@@ -59,8 +59,9 @@ TEST(FramePasses, AreToldInTheirOrder_CausticsOnlyWhereThereArePhotons) {
     std::vector<FramePass> passes;
     renderer.observePasses([&](const DrawnPass& drawn) { passes.push_back(drawn.pass); });
     renderView(renderer, makeView(inputs, square()), 1);
-    std::vector<FramePass> expected = {FramePass::Transfer, FramePass::Opaque, FramePass::Blended};
-    if (caustics == &some) expected.insert(expected.begin() + 1, FramePass::Caustics);
+    std::vector<FramePass> expected = {FramePass::Transfer, FramePass::ShadowMaps, FramePass::Opaque,
+                                       FramePass::Blended};
+    if (caustics == &some) expected.insert(expected.begin() + 2, FramePass::Caustics);
     EXPECT_EQ(passes, expected);
   }
 }
