@@ -197,7 +197,7 @@ MeshShape makeCurtain(double width, double height, double depth, int folds) {
     const double phase = 2.0 * pi * folds * u + 0.9 * std::sin(5.0 * u + 1.0);
     const double open = 0.75 + 0.25 * (1.0 - v);
     const double sway = 0.25 * std::sin(3.1 * phase / folds + 2.0 * v);
-    return glm::dvec3(width * (u - 0.5) * (0.92 + 0.08 * (1.0 - v)) + 0.3 * depth * std::sin(2.0 * phase) * open,
+    return glm::dvec3(width * (u - 0.5) * (0.92 + 0.08 * (1.0 - v)),
                       height * v, depth * open * (std::sin(phase + 0.35 * (1.0 - v)) + sway));
   };
   double length = 0.0;

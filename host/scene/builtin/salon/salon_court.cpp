@@ -10,7 +10,7 @@ namespace {
 using namespace salon;
 using Textures = SalonTextures;
 constexpr double outside = back - wall, courtBack = -9.2, courtLeft = -4.6, courtRight = 3.4;
-constexpr double archLeft = -1.5, archRight = 0.1, archSpring = 2.35, terrace = courtLevel + 0.6;
+constexpr double archLeft = -1.5, archRight = 0.1, archSpring = 1.75, terrace = courtLevel + 0.6;
 
 void addGround(GltfBuilder& builder, const SalonMaterials& m) {
   SalonObject paving;
@@ -20,11 +20,11 @@ void addGround(GltfBuilder& builder, const SalonMaterials& m) {
   SalonObject steps;
   // The threshold of the window, and the step before it.
   steps.addBox({{windowRight - windowLeft + 0.02, 0.05, wall + 0.06}, 0.006, 2, 0.07}, Textures::paving, {0.5 * (windowLeft + windowRight), -0.022, 0.5 * (back + outside) - 0.03});
-  steps.addBox({{2.8, 0.1, 0.5}, 0.012, 2, 0.08}, Textures::paving, {0.5 * (windowLeft + windowRight), courtLevel + 0.045, outside - 0.25});
+  steps.addBox({{2.8, 0.1, 0.5}, 0.012, 1, 0.15}, Textures::paving, {0.5 * (windowLeft + windowRight), courtLevel + 0.045, outside - 0.25});
   // Four steps lead up to the gate.
   for (int i = 0; i < 4; ++i) {
     const double tread = 0.32, deep = tread * (4 - i);
-    steps.addBox({{2.3, 0.15, deep}, 0.012, 2, 0.08}, Textures::paving, {0.5 * (archLeft + archRight), courtLevel + 0.15 * i + 0.075, courtBack + 0.5 * deep});
+    steps.addBox({{2.3, 0.15, deep}, 0.012, 1, 0.15}, Textures::paving, {0.5 * (archLeft + archRight), courtLevel + 0.15 * i + 0.075, courtBack + 0.5 * deep});
   }
   builder.addUnfolded("Steps", steps.shape(), m.paving);
 }
@@ -66,7 +66,7 @@ MeshShape makeGateWall(double top) {
 }
 
 void addWalls(GltfBuilder& builder, const SalonMaterials& m) {
-  constexpr double gateTop = 3.5, sideTop = 4.3;
+  constexpr double gateTop = 2.95, sideTop = 4.3;
   const glm::dvec3 deep(0.0, 0.0, courtBack - outside);
   SalonObject stucco, stone, coping;
   stucco.addSurface({courtLeft, courtLevel, outside}, deep, {0.0, sideTop - courtLevel, 0.0}, 0.13, Textures::plaster);
@@ -80,12 +80,12 @@ void addWalls(GltfBuilder& builder, const SalonMaterials& m) {
   front_(windowLeft, windowRight, windowHeight, sideTop);
   builder.addUnfolded("Court walls", stucco.shape(), m.stucco);
   builder.addUnfolded("Gate wall", makeGateWall(gateTop), m.ashlar);
-  const auto cope = [&](const glm::dvec3& size, const glm::dvec3& at) { coping.addBox({size, 0.015, 2, 0.15}, Textures::ashlar, at); };
+  const auto cope = [&](const glm::dvec3& size, const glm::dvec3& at) { coping.addBox({size, 0.015, 1, 0.4}, Textures::ashlar, at); };
   cope({courtRight - courtLeft, 0.09, 0.5}, {0.5 * (courtLeft + courtRight), gateTop + 0.045, courtBack - 0.18});
   for (const double x : {courtLeft, courtRight}) cope({0.5, 0.09, outside - courtBack}, {x + (x < 0.0 ? -0.2 : 0.2), sideTop + 0.045, 0.5 * (outside + courtBack)});
   builder.addUnfolded("Coping", coping.shape(), m.ashlar);
   SalonObject garden;
-  garden.addSurface({14.0, terrace - 0.002, courtBack}, {0.0, 0.0, -16.0}, {-28.0, 0.0, 0.0}, 0.8, 1.0);
+  garden.addSurface({4.5, terrace - 0.002, courtBack}, {0.0, 0.0, -6.0}, {-10.5, 0.0, 0.0}, 0.75, 1.0);
   builder.addUnfolded("Garden", garden.shape(), m.earth);
 }
 
@@ -124,13 +124,13 @@ void addPlants(GltfBuilder& builder, const SalonMaterials& m) {
   MeshShape wood, olive, hedge, ivy;
   SalonObject pots, earth;
   addTree(wood, olive, {-2.9, courtLevel + 0.05, -6.4}, 2.9, 5, 2600);
-  addTree(wood, hedge, {-3.6, terrace, -11.8}, 5.2, 23, 1500);
-  addTree(wood, hedge, {1.9, terrace, -12.2}, 5.6, 31, 1500);
-  addLeafCloud(hedge, {.centre = {-0.7, terrace + 0.7, -14.0}, .radius = {4.0, 1.2, 1.0}, .hollow = 0.6, .size = 0.14, .count = 1500, .seed = 9});
+  addTree(wood, hedge, {-3.6, terrace, -11.8}, 5.2, 23, 1100);
+  addTree(wood, hedge, {1.9, terrace, -12.2}, 5.6, 31, 1100);
+  addLeafCloud(hedge, {.centre = {-0.7, terrace + 0.7, -14.0}, .radius = {4.0, 1.2, 1.0}, .hollow = 0.6, .size = 0.16, .count = 1000, .seed = 9});
   for (const double x : {-1.0, 1.0}) {
     const glm::dvec3 at(0.5 * (archLeft + archRight) + 1.5 * x, courtLevel, courtBack + 1.0);
     pots.add(makePot(0.27, 0.46), 1.0, at);
-    addLeafCloud(hedge, {.centre = at + glm::dvec3(0.0, 0.78, 0.0), .radius = glm::dvec3(0.36, 0.38, 0.36), .hollow = 0.75, .size = 0.06, .count = 1100, .seed = 40 + static_cast<std::uint32_t>(x + 1.0)});
+    addLeafCloud(hedge, {.centre = at + glm::dvec3(0.0, 0.78, 0.0), .radius = glm::dvec3(0.36, 0.38, 0.36), .hollow = 0.75, .size = 0.07, .count = 700, .seed = 40 + static_cast<std::uint32_t>(x + 1.0)});
   }
   const glm::dvec3 near_(0.95, courtLevel, -4.1);
   pots.add(makePot(0.21, 0.36), 1.0, near_);

@@ -21,7 +21,7 @@ void addBookcase(GltfBuilder& builder, const SalonMaterials& m) {
   SalonObject shelves;
   const double x = left + 0.5 * shelfDepth + 0.012, middle = shelfFront + 0.5 * shelfLength, tall = 2.16;
   const auto board = [&](const glm::dvec3& size, const glm::dvec3& at) {
-    shelves.addBox({size, 0.0035, 1, 0.075}, Textures::wood, at);
+    shelves.addBox({size, 0.0035, 1, 0.12}, Textures::wood, at);
   };
   for (const double top : shelfTops)
     board({shelfDepth - 0.01, shelfBoard, shelfLength - 2.0 * shelfBoard}, {x, top - 0.5 * shelfBoard, middle});
@@ -38,13 +38,13 @@ void addBookcase(GltfBuilder& builder, const SalonMaterials& m) {
 void addBook(SalonObject& binding, SalonObject& pages, const glm::dvec3& size, const glm::dmat3& turn, const glm::dvec3& at) {
   constexpr double board = 0.003;
   const glm::dvec3 half = 0.5 * size;
-  const auto part = [&](SalonObject& to, const glm::dvec3& extent, const glm::dvec3& offset, double radius) {
-    to.add(makeRoundedBox({extent, radius, 1, 0.2}), 1.0, turn, at + turn * offset);
+  const auto part = [&](SalonObject& to, const glm::dvec3& extent, const glm::dvec3& offset) {
+    to.addPlainBox(extent, turn, at + turn * offset);
   };
-  part(binding, {size.x, size.y, board}, {0.0, 0.0, half.z - 0.5 * board}, 0.001);
-  part(binding, {size.x, size.y, board}, {0.0, 0.0, 0.5 * board - half.z}, 0.001);
-  part(binding, {0.006, size.y, size.z}, {half.x - 0.001, 0.0, 0.0}, 0.0028);
-  part(pages, {size.x - 0.008, size.y - 0.008, size.z - 2.0 * board - 0.0006}, {-0.002, 0.0, 0.0}, 0.0005);
+  part(binding, {size.x, size.y, board}, {0.0, 0.0, half.z - 0.5 * board});
+  part(binding, {size.x, size.y, board}, {0.0, 0.0, 0.5 * board - half.z});
+  part(binding, {0.004, size.y, size.z}, {half.x + 0.002, 0.0, 0.0});
+  part(pages, {size.x - 0.008, size.y - 0.008, size.z - 2.0 * board - 0.0006}, {-0.002, 0.0, 0.0});
 }
 
 /// Fills the shelves with books; every now and then a gap, a leaning or a lying book.
@@ -130,7 +130,7 @@ void addArmchair(GltfBuilder& builder, const SalonMaterials& m, const glm::vec3&
   SalonObject cover, legs;
   const double side = Textures::fabric;
   const auto block = [&](const glm::dvec3& size, double radius, const glm::dvec3& where, double lean = 0.0) {
-    cover.add(makeRoundedBox({size, radius, 5, 0.06}), side, rotationAbout({1.0, 0.0, 0.0}, -lean), where);
+    cover.add(makeRoundedBox({size, radius, 3, 0.1}), side, rotationAbout({1.0, 0.0, 0.0}, -lean), where);
   };
   block({0.78, 0.2, 0.72}, 0.04, {0.0, 0.25, 0.0});
   block({0.53, 0.16, 0.58}, 0.06, {0.0, 0.415, 0.06});
@@ -143,9 +143,9 @@ void addArmchair(GltfBuilder& builder, const SalonMaterials& m, const glm::vec3&
   builder.addUnfolded("Armchair", cover.shape(), m.velvet, at, yaw);
   builder.addUnfolded("Armchair legs", legs.shape(), m.walnut, at, yaw);
   SalonObject pillow;
-  pillow.add(makePillow({0.42, 0.42, 0.15}, 24), side,
+  pillow.add(makePillow({0.42, 0.42, 0.16}, 20), side,
              rotationAbout({0.0, 1.0, 0.0}, 14.0 * degrees) * rotationAbout({1.0, 0.0, 0.0}, -22.0 * degrees) * rotationAbout({0.0, 0.0, 1.0}, 8.0 * degrees),
-             {0.05, 0.685, -0.055});
+             {0.05, 0.70, 0.01});
   builder.addUnfolded("Cushion", pillow.shape(), m.linen, at, yaw);
 }
 
@@ -154,7 +154,7 @@ void addConsole(GltfBuilder& builder, const SalonMaterials& m) {
   const glm::dvec3 at(1.62, 0.0, back + 0.215);
   SalonObject wood;
   const double side = Textures::wood, tall = 0.82;
-  wood.addBox({{1.06, 0.028, 0.36}, 0.006, 2, 0.05}, side, at + glm::dvec3(0.0, tall - 0.014, 0.0));
+  wood.addBox({{1.06, 0.028, 0.36}, 0.006, 2, 0.09}, side, at + glm::dvec3(0.0, tall - 0.014, 0.0));
   wood.addBox({{0.98, 0.11, 0.02}, 0.003, 1, 0.1}, side, at + glm::dvec3(0.0, tall - 0.085, 0.14));
   for (const double x : {-0.47, 0.47}) {
     wood.addBox({{0.02, 0.11, 0.26}, 0.003, 1, 0.1}, side, at + glm::dvec3(x, tall - 0.085, 0.0));
@@ -167,7 +167,7 @@ void addConsole(GltfBuilder& builder, const SalonMaterials& m) {
 void addLamp(GltfBuilder& builder, const SalonMaterials& m) {
   const glm::dvec3 at(1.98, 0.82, back + 0.23);
   const std::vector<glm::dvec2> foot = smoothCurve(
-      {{0.082, 0.003}, {0.083, 0.012}, {0.06, 0.024}, {0.024, 0.034}, {0.016, 0.06}, {0.02, 0.10}, {0.052, 0.16}, {0.058, 0.2}, {0.04, 0.25}, {0.014, 0.285}, {0.011, 0.33}}, 6);
+      {{0.082, 0.003}, {0.083, 0.012}, {0.06, 0.024}, {0.024, 0.034}, {0.016, 0.06}, {0.02, 0.10}, {0.052, 0.16}, {0.058, 0.2}, {0.04, 0.25}, {0.014, 0.285}, {0.011, 0.33}}, 4);
   std::vector<glm::dvec2> profile = {{0.0, 0.0005}, {0.08, 0.0005}};
   profile.insert(profile.end(), foot.begin(), foot.end());
   for (const glm::dvec2& p : {glm::dvec2(0.009, 0.332), {0.009, 0.36}, {0.018, 0.362}, {0.018, 0.40}, {0.0, 0.402}}) profile.push_back(p);
@@ -205,7 +205,7 @@ void addSalonFurniture(GltfBuilder& builder, const SalonMaterials& m) {
   addLamp(builder, m);
   SalonObject rug;
   constexpr glm::dvec2 size(2.6, 1.7);
-  MeshShape wool = makeRoundedBox({{size.x, 0.012, size.y}, 0.004, 1, 0.06});
+  MeshShape wool = makeRoundedBox({{size.x, 0.012, size.y}, 0.004, 1, 0.09});
   for (std::size_t i = 0; i < wool.positions.size(); ++i)
     wool.texCoords[i] = glm::vec2(wool.positions[i].x / size.x + 0.5, wool.positions[i].z / size.y + 0.5);
   builder.addUnfolded("Rug", wool, m.rug, {-0.35f, 0.007f, 0.15f}, 4.0 * degrees);

@@ -66,7 +66,7 @@ SurfacePoint oak(float u, float v) {
 /// Smoothed by hand: broad strokes and a fine grain.
 SurfacePoint plaster(float u, float v) {
   const float strokes = tiledTurbulence(u, v, 5, 5, 4, 11), grain = tiledNoise(u, v, 128, 128, 17);
-  return {glm::vec3(0.72f, 0.685f, 0.62f) * (0.96f + 0.08f * strokes), 0.85f, 0.0012f * strokes + 0.00005f * grain};
+  return {glm::vec3(0.79f, 0.76f, 0.70f) * (0.96f + 0.08f * strokes), 0.85f, 0.0012f * strokes + 0.00005f * grain};
 }
 
 /// Slabs in four courses, three to a course.
@@ -156,7 +156,7 @@ SurfacePoint rug(float u, float v) {
     }
   }
   const float fade = tiledTurbulence(u, v, 6, 4, 4, 47), tuft = hashed(static_cast<int>(x / 0.004f), static_cast<int>(y / 0.004f), 53);
-  return {color * (0.75f + 0.35f * fade + 0.25f * tuft), 1.0f, 0.0035f * tuft + 0.004f * fade};
+  return {color * (0.75f + 0.35f * fade + 0.25f * tuft), 1.0f, 0.0015f * tuft + 0.004f * fade};
 }
 
 /// Lines of a brush along u.
@@ -211,7 +211,7 @@ SalonMaterials addSalonMaterials(GltfBuilder& builder) {
   builder.addSheen(m.linen, {0.2f, 0.19f, 0.17f}, 0.6f);
   m.curtain = builder.addPlain(
       {.name = "Curtain", .baseColor = {0.74f, 0.70f, 0.62f, 1.0f}, .specular = 0.0f, .doubleSided = true});
-  m.rug = mapped("Rug", maps("Rug", 1024, 2.1, rug), white, 0.0f);
+  m.rug = mapped("Rug", maps("Rug", 512, 2.1, rug), white, 0.0f);
   builder.addSheen(m.rug, {0.1f, 0.08f, 0.07f}, 0.6f);
   const MapIndices brush = maps("Brushed", 256, 0.1, brushed);
   m.brass = builder.addMapped({.name = "Brass", .baseColor = {0.83f, 0.60f, 0.29f, 1.0f}, .metallic = 1.0f}, brush);

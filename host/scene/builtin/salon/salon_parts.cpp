@@ -28,6 +28,12 @@ void SalonObject::addSurface(const glm::dvec3& corner, const glm::dvec3& edgeU, 
   shape_.add(grid);
 }
 
+void SalonObject::addPlainBox(const glm::dvec3& size, const glm::dmat3& rotation, const glm::dvec3& where) {
+  MeshShape box = makeBox(size, 1, true);
+  place(box, rotation, where - rotation * glm::dvec3(0.0, 0.5 * size.y, 0.0));
+  shape_.add(box);
+}
+
 void addLeaf(MeshShape& shape, const glm::dvec3& where, const glm::dvec3& along, const glm::dvec3& normal, double length) {
   const glm::dvec3 side = glm::normalize(glm::cross(normal, along));
   const glm::dvec3 front = glm::cross(along, side);

@@ -25,6 +25,8 @@ class SalonObject {
   void add(MeshShape shape, double side, const glm::dvec3& place) { add(std::move(shape), side, glm::dmat3(1.0), place); }
   /// Adds a rectangle as makeGrid does, with texture coordinates from its place in space.
   void addSurface(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV, double cell, double side);
+  /// Adds a box with sharp edges, of 12 triangles, centred at the place.
+  void addPlainBox(const glm::dvec3& size, const glm::dmat3& rotation, const glm::dvec3& place);
   void addBox(const RoundedBox& box, double side, const glm::dvec3& place) { add(makeRoundedBox(box), side, place); }
   const MeshShape& shape() const { return shape_; }
   MeshShape& shape() { return shape_; }

@@ -42,12 +42,12 @@ MeshShape makeMouldings() {
   const auto along = [&](double y, const glm::dvec2& section) {
     const double depth = section.x, tall = section.y;
     const double lengthZ = front - back, middleZ = 0.5 * (front + back);
-    const RoundedBox side{{depth, tall, lengthZ}, 0.006, 1, 0.12};
+    const RoundedBox side{{depth, tall, lengthZ}, 0.006, 1, 0.28};
     mouldings.addBox(side, 1.0, {left + 0.5 * depth, y, middleZ});
     mouldings.addBox(side, 1.0, {right - 0.5 * depth, y, middleZ});
-    mouldings.addBox({{right - left, tall, depth}, 0.006, 1, 0.12}, 1.0, {0.0, y, front - 0.5 * depth});
+    mouldings.addBox({{right - left, tall, depth}, 0.006, 1, 0.28}, 1.0, {0.0, y, front - 0.5 * depth});
     const auto back_ = [&](double from, double to) {
-      mouldings.addBox({{to - from, tall, depth}, 0.006, 1, 0.12}, 1.0, {0.5 * (from + to), y, back + 0.5 * depth});
+      mouldings.addBox({{to - from, tall, depth}, 0.006, 1, 0.28}, 1.0, {0.5 * (from + to), y, back + 0.5 * depth});
     };
     if (y > windowHeight) return back_(left, right);
     back_(left, windowLeft - 0.06);
@@ -65,7 +65,7 @@ MeshShape makeCasement(double width, double tall, int rows) {
   constexpr double stile = 0.058, thick = 0.045, bar = 0.024, foot = 0.16;
   SalonObject casement;
   const auto post = [&](double x, double y, double w, double h, double depth) {
-    casement.addBox({{w, h, depth}, 0.004, 1, 0.1}, 1.0, {x, y, 0.0});
+    casement.addBox({{w, h, depth}, 0.004, 1, 0.25}, 1.0, {x, y, 0.0});
   };
   const double base = rows > 1 ? foot : stile;
   post(0.5 * stile, 0.5 * tall, stile, tall, thick);
@@ -117,7 +117,7 @@ void addWindow(GltfBuilder& builder, const SalonMaterials& m) {
 void addCurtains(GltfBuilder& builder, const SalonMaterials& m) {
   constexpr double top = 2.66, z = back + 0.11;
   const auto curtain = [&](const char* name, double x, double turned) {
-    MeshShape sheet = makeCurtain(0.5, top - 0.03, 0.032, 6);
+    MeshShape sheet = makeCurtain(0.5, top - 0.03, 0.04, 4);
     builder.addUnfolded(name, sheet, m.curtain, {x, 0.015, z}, turned);
   };
   curtain("Left curtain", windowLeft - 0.2, 0.0);
@@ -139,9 +139,9 @@ void addFrames(GltfBuilder& builder, const SalonMaterials& m) {
   const auto frameOf = [](double width, double tall, double border, double thick) {
     SalonObject frame;
     const auto strip = [&](double x, double y, double w, double h) {
-      frame.addBox({{w, h, thick}, 0.008, 2, 0.1}, 1.0, {x, y, 0.5 * thick});
+      frame.addBox({{w, h, thick}, 0.008, 1, 0.3}, 1.0, {x, y, 0.5 * thick});
       const double inner = 0.35;
-      frame.addBox({{w > h ? w : w * inner, h > w ? h : h * inner, thick + 0.018}, 0.006, 2, 0.1}, 1.0, {x, y, 0.5 * (thick + 0.018)});
+      frame.addBox({{w > h ? w : w * inner, h > w ? h : h * inner, thick + 0.018}, 0.006, 1, 0.3}, 1.0, {x, y, 0.5 * (thick + 0.018)});
     };
     strip(0.0, 0.5 * (tall + border), width + 2.0 * border, border);
     strip(0.0, -0.5 * (tall + border), width + 2.0 * border, border);

@@ -15,7 +15,7 @@ const glm::dvec3 centre(1.22, 0.0, 0.95);
 void addTable(GltfBuilder& builder, const SalonMaterials& m) {
   SalonObject wood;
   const double side = Textures::wood;
-  wood.addBox({{1.05, 0.032, 1.5}, 0.008, 3, 0.04}, side, {0.0, tableTop - 0.016, 0.0});
+  wood.addBox({{1.05, 0.032, 1.5}, 0.008, 2, 0.07}, side, {0.0, tableTop - 0.016, 0.0});
   for (const double x : {-0.44, 0.44}) {
     wood.addBox({{0.022, 0.09, 1.26}, 0.003, 1, 0.1}, side, {x, tableTop - 0.077, 0.0});
     for (const double z : {-0.66, 0.66}) {
@@ -54,21 +54,21 @@ MeshShape makeVessel(const std::vector<glm::dvec2>& outer, double thickness, dou
 
 void addVessels(GltfBuilder& builder, const SalonMaterials& m) {
   const std::vector<glm::dvec2> bowl = smoothCurve(
-      {{0.05, 0.0}, {0.052, 0.006}, {0.042, 0.014}, {0.06, 0.026}, {0.11, 0.052}, {0.148, 0.09}, {0.156, 0.105}}, 6);
-  builder.addUnfolded("Bowl", makeVessel(bowl, 0.0035, 0.022, 96), m.brass, {1.2f, static_cast<float>(tableTop) + 0.001f, 0.86f});
+      {{0.05, 0.0}, {0.052, 0.006}, {0.042, 0.014}, {0.06, 0.026}, {0.11, 0.052}, {0.148, 0.09}, {0.156, 0.105}}, 4);
+  builder.addUnfolded("Bowl", makeVessel(bowl, 0.0035, 0.022, 64), m.brass, {1.2f, static_cast<float>(tableTop) + 0.001f, 0.86f});
   const std::vector<glm::dvec2> carafe = smoothCurve(
-      {{0.046, 0.0}, {0.056, 0.006}, {0.062, 0.04}, {0.058, 0.10}, {0.03, 0.165}, {0.025, 0.2}, {0.028, 0.235}, {0.04, 0.265}}, 6);
-  builder.addUnfolded("Carafe", makeVessel(carafe, 0.0028, 0.012, 64), m.glass, {0.92f, static_cast<float>(tableTop) + 0.001f, 0.62f});
+      {{0.046, 0.0}, {0.056, 0.006}, {0.062, 0.04}, {0.058, 0.10}, {0.03, 0.165}, {0.025, 0.2}, {0.028, 0.235}, {0.04, 0.265}}, 4);
+  builder.addUnfolded("Carafe", makeVessel(carafe, 0.0028, 0.012, 48), m.glass, {0.92f, static_cast<float>(tableTop) + 0.001f, 0.62f});
   const std::vector<glm::dvec2> tumbler = smoothCurve({{0.028, 0.0}, {0.031, 0.003}, {0.033, 0.03}, {0.036, 0.09}}, 5);
   builder.addUnfolded("Tumbler", makeVessel(tumbler, 0.0022, 0.014, 48), m.glass, {1.06f, static_cast<float>(tableTop) + 0.001f, 0.52f});
   const std::vector<glm::dvec2> vase = smoothCurve(
-      {{0.05, 0.0}, {0.056, 0.006}, {0.085, 0.07}, {0.092, 0.13}, {0.06, 0.2}, {0.034, 0.235}, {0.036, 0.262}}, 6);
-  builder.addUnfolded("Vase", makeVessel(vase, 0.005, 0.02, 64), m.porcelain, {1.5f, static_cast<float>(tableTop) + 0.001f, 0.55f});
+      {{0.05, 0.0}, {0.056, 0.006}, {0.085, 0.07}, {0.092, 0.13}, {0.06, 0.2}, {0.034, 0.235}, {0.036, 0.262}}, 4);
+  builder.addUnfolded("Vase", makeVessel(vase, 0.005, 0.02, 48), m.porcelain, {1.5f, static_cast<float>(tableTop) + 0.001f, 0.55f});
 }
 
 void addFruit(GltfBuilder& builder, const SalonMaterials& m) {
   SalonObject oranges, lemons;
-  const auto ball = [](double radius) { return makeTurned(smoothCurve({{0.0, -radius}, {0.7071 * radius, -0.7071 * radius}, {radius, 0.0}, {0.7071 * radius, 0.7071 * radius}, {0.0, 0.96 * radius}}, 6), 36); };
+  const auto ball = [](double radius) { return makeTurned(smoothCurve({{0.0, -radius}, {0.7071 * radius, -0.7071 * radius}, {radius, 0.0}, {0.7071 * radius, 0.7071 * radius}, {0.0, 0.96 * radius}}, 4), 24); };
   const glm::dvec3 at(1.2, tableTop, 0.86);
   for (const glm::dvec3& p : {glm::dvec3(-0.045, 0.075, 0.035), {0.05, 0.076, 0.03}, {-0.005, 0.077, -0.055}, {0.002, 0.135, 0.0}})
     oranges.add(ball(0.039), 1.0, rotationAbout({0.3, 0.2, 1.0}, 9.0 * p.x + p.z), at + p);
@@ -89,7 +89,7 @@ void addPile(GltfBuilder& builder, const SalonMaterials& m) {
     SalonObject binding;
     const glm::dvec3 at(1.42 + 0.006 * i, y + 0.5 * sizes[i].y, 1.28);
     const auto part = [&](SalonObject& to, const glm::dvec3& size, const glm::dvec3& offset, double radius) {
-      to.add(makeRoundedBox({size, radius, 2, 0.06}), 1.0, turn, at + turn * offset);
+      to.add(makeRoundedBox({size, radius, 1, 0.12}), 1.0, turn, at + turn * offset);
     };
     const glm::dvec3& s = sizes[i];
     part(binding, {s.x, 0.003, s.z}, {0.0, 0.5 * s.y - 0.0015, 0.0}, 0.001);
