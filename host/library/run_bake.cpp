@@ -78,15 +78,15 @@ StateKey keyOf(const BakeScene& scene, const BakeRequest& request, const DeviceI
   return key;
 }
 
-/// Warns where specular transport runs and lamps shine within the scene. Transfer knows light by its direction
-/// alone, and glass and mirrors pass on none of theirs.
+/// Warns where specular transport runs and lamps shine within the scene. Transfer knows light by its
+/// direction alone, and glass and mirrors pass on none of theirs.
 void warnOfLampsWithin(const CompiledScene& scene, const BakeRequest& request, BakeRun& run) {
   if (!run.plan.runs(Pass::SpecularTransport) || transferOrder(request) == 0) return;
   const std::string lamps = lampsWithin(scene);
   if (lamps.empty()) return;
   run.report.warnings.push_back(
       fmt::format("specular transport carries the light of the sky, but not that of {} within the scene; "
-                  "--light-groups has the latter after a bounce, --lightmap --caustics all of it",
+                  "light groups have the latter after a bounce, and a light map with caustics all of it",
                   lamps));
 }
 

@@ -12,8 +12,7 @@
 #include "pictures/picture_sky.h"
 #include "pictures/recorded_sky.h"
 #include "pictures/session/stale_bake.h"
-#include "pictures/shading_checks.h"
-#include "pictures/shading_choice.h"
+#include "pictures/picture_shading.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::pictures {

@@ -22,7 +22,7 @@ struct NamedTechnique {
 
 const std::vector<NamedTechnique>& techniques() {
   static const std::vector<NamedTechnique> all = {
-      {"ambient_occlusion", {"mbientOcclusion", "ambient_occlusion", ".ao", ">ao", "::Ao"}, {}, 25},
+      {"ambient_occlusion", {"mbientOcclusion", "ambient_occlusion", ".ao", ">ao", "::Ao"}, {}, 29},
       {"ch", {".ch", ">ch", "::Ch", "ChTransfer", "ChRequest"}, {}, 17},
       {"chart_transfer", {"hartTransfer", "chart_transfer"}, {}, 19},
       {"encoded_light", {"ncodedLight", "ncodedLights", "encoded_light"}, {}, 19},
@@ -33,15 +33,15 @@ const std::vector<NamedTechnique>& techniques() {
       {"haar", {"haar", "Haar"}, {"host/basis"}, 30},
       {"horizons", {"orizon", "orizons"}, {}, 27},
       {"light_groups", {"ightGroup", "ightGroups", "light_group", "light_groups"}, {}, 46},
-      {"light_map", {"ightMap", "ightMaps", "light_map", "light_maps"}, {"host/charts"}, 92},
+      {"light_map", {"ightMap", "ightMaps", "light_map", "light_maps"}, {"host/charts"}, 100},
       {"near_lamps", {"earLamp", "earLamps", "near_lamp", "near_lamps"}, {}, 20},
       {"occlusion_cones", {".cones", ">cones", "::Cones", "cclusionCones", "occlusion_cones"}, {}, 5},
       {"radiosity", {"radiosity", "Radiosity"}, {"host/radiosity", "kernels/radiosity"}, 42},
       {"sh", {".sh", ">sh", "::Sh", "ShTransfer"}, {}, 49},
       {"subsurface", {"ubsurface"}, {}, 12},
       {"vector_occluders", {"ccluder", "ccluders"}, {"host/occluders"}, 80},
-      {"volume", {"volume", "Volume"}, {}, 48},
-      {"full", {"lobalIllumination", "global_illumination"}, {"host/gi"}, 25},
+      {"volume", {"volume", "Volume"}, {}, 50},
+      {"full", {"lobalIllumination", "global_illumination"}, {"host/gi"}, 29},
       {"instant",
        {"nstantRadiosity", "instant_radiosity", "irtualLight", "irtualLights", "virtual_light",
         "virtual_lights", "::Instant"},

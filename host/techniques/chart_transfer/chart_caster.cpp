@@ -26,7 +26,7 @@ std::uint32_t raysPerReceiver(const ChartTransferOptions& options) {
   return std::max(leastRaysPerReceiver, options.rays / ChartSampler::positionsPerTexel);
 }
 
-CastOptions castOptions(const ChartTransferOptions& options) {
+CastOptions castOptionsOfCharts(const ChartTransferOptions& options) {
   CastOptions cast;
   cast.raysPerReceiver = raysPerReceiver(options);
   cast.marksInside = true;
@@ -53,7 +53,7 @@ class ChartCaster {
         report_(report),
         columns_(static_cast<std::size_t>(options.order * options.order)),
         hemisphere_(options.order),
-        caster_(scene, tracer, castOptions(options), makeColumns(tracer.context().info())),
+        caster_(scene, tracer, castOptionsOfCharts(options), makeColumns(tracer.context().info())),
         receiversPerTexel_(options.rays / caster_.raysPerReceiver()),
         open_(columns_),
         reflected_(parts()) {}

@@ -5,6 +5,15 @@
 
 namespace prelight::pictures {
 
+/// Returns what lights a picture of a scene as it was asked for. `turn`: of the sky about +Y, radians.
+viewer::LightOfPicture lightOfPicture(const PictureRequest& asked, const LoadedScene& loaded,
+                                      const Environment* sky, double turn);
+
+/// Chooses the shading of a picture that none is asked for: that of least expected error among those that the
+/// bake carries; without a bake all light where lamps are within a scene of moderate size, else direct light.
+viewer::Shading chooseShading(const PictureRequest& asked, const LoadedScene& loaded, const Bake& bake,
+                              const viewer::LightOfPicture& light);
+
 /// Throws UsageError where light that is followed or baked under the picture's lights would have to know area
 /// lights or cookies. `everyShading`: of a window.
 void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool everyShading,
