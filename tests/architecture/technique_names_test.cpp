@@ -22,7 +22,7 @@ struct NamedTechnique {
 
 const std::vector<NamedTechnique>& techniques() {
   static const std::vector<NamedTechnique> all = {
-      {"ambient_occlusion", {"mbientOcclusion", "ambient_occlusion", ".ao", ">ao", "::Ao"}, {}, 29},
+      {"ambient_occlusion", {"mbientOcclusion", "ambient_occlusion", ".ao", ">ao", "::Ao"}, {}, 25},
       {"ch", {".ch", ">ch", "::Ch", "ChTransfer", "ChRequest"}, {}, 17},
       {"chart_transfer", {"hartTransfer", "chart_transfer"}, {}, 19},
       {"encoded_light", {"ncodedLight", "ncodedLights", "encoded_light"}, {}, 19},
