@@ -10,10 +10,6 @@ namespace prelight::pictures {
 
 namespace {
 
-/// Seconds of work per frame in a window, and frames over which a texel's light is blended.
-constexpr double followedSeconds = 1.0 / 30.0;
-constexpr std::uint32_t followedBlend = 4;
-constexpr std::uint32_t followedCoarser = 4;  ///< LiveLightOptions::coarser
 /// Fewer than elsewhere, because a few frames may have to send all of them again.
 constexpr std::uint64_t followedCausticPhotons = 20000;
 
@@ -88,14 +84,10 @@ std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const Pi
   auto following = std::make_unique<FollowingLight>();
   CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
-  LiveLightOptions live;
+  LiveLightOptions live = optionsOfWindows();
   live.photons = asked.full.indirect.photons;
   live.texels = sized.mapTexels();
   live.gather.rays = asked.full.indirect.rays;
-  live.gather.texelsPerFrame = 0;
-  live.gather.blendFrames = followedBlend;
-  live.frameSeconds = followedSeconds;
-  live.coarser = followedCoarser;
   if (!asked.countedFrames) live.clock = steadySeconds;
   live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);
   live.seed = asked.bake.request.seed;

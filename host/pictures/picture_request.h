@@ -36,7 +36,7 @@ struct PictureRequest {
   InstantOptions instant;                 ///< options of instant shading
   std::uint64_t causticPhotons = 0;       ///< of other shadings that OpenGL draws; 0: no caustics
   double thinBeyond = 0.0;                ///< m, of a window: LiveLightOptions::thinBeyond
-  /// Of a window: light that follows does the same work in the frames of every run, whatever time it takes.
+  /// Light that follows a window does the same work in the frames of every run, whatever time it takes.
   bool countedFrames = false;
   PoseOptions pose;
   ObjectOptions objects;

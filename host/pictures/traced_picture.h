@@ -27,7 +27,7 @@ inline bool asksForFull(const PictureRequest& asked) {
   return asked.shading == viewer::Shading::GlobalIllumination;
 }
 
-/// What the pictures of one scene share.
+/// Data that the pictures of one scene share.
 struct PictureSetUp {
   PictureSky sky;
 };

@@ -121,7 +121,7 @@ TEST(DraftSize, OfSlowPictures_KeepsTheirTimeBelowTheLimit_AndSettles) {
   EXPECT_EQ(divisorsOf(0.0, 100.0, 12).back(), DraftSize::mostDivisor);
 }
 
-/// What takes the same time at every size is no reason for few pixels.
+/// Work that takes the same time at every size is no reason for few pixels.
 TEST(DraftSize, OfTimeThatPixelsDoNotTake_IsFineNevertheless) {
   EXPECT_EQ(divisorsOf(0.02, 0.01, 12).back(), 1);
 }

@@ -29,7 +29,7 @@ std::string shadingNames();
 /// Throws UsageError naming the known ones.
 Shading parseShading(std::string_view name);
 
-/// What lights a picture, as far as its best shading depends on it.
+/// The light of a picture, as far as its best shading depends on it.
 struct LightOfPicture {
   bool sky = true;
   bool outside = false;  ///< lamps outside of the scene

@@ -81,8 +81,7 @@ std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
       (rules.reflection == Reflection::Transfer && hasLayers);
   std::erase_if(lights, [&](const ShadedLight& source) {
     if (allReflect || (source.ofSky && hasLayers)) return false;
-    return rules.through == Through::AllLights ||
-           (rules.through == Through::FarLights && source.throughTransfer);
+    return comesThrough(rules.through, source);
   });
   return lights;
 }

@@ -18,8 +18,8 @@ float sizeOrFlag(const ShadedLight& light) {
 
 constexpr int mostMaps = 256;  ///< of a picture; as lights.glsl has it
 
-/// What shadows the light: shadow maps (< 0, with a quarter more where the transfer holds it, too), the
-/// shells of a near lamp (>= 2), the transfer (1) or nothing.
+/// Returns the code of what shadows a light: shadow maps (< 0, with a quarter more where the transfer holds
+/// it, too), the shells of a near lamp (>= 2), the transfer (1) or nothing.
 float shadowCode(const ShadedLight& light) {
   if (light.firstMap >= 0)
     return -static_cast<float>(1 + light.firstMap + mostMaps * (light.maps - 1)) -

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -15,6 +16,7 @@
 #include "prelight/picture.h"
 #include "prelight/scene.h"
 #include "scene/closed_bodies.h"
+#include "techniques/drawing_rules.h"
 
 /// Lights of a picture, ready for the shaders. Conventions of the lights' maths:
 /// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual, and
@@ -100,6 +102,26 @@ std::vector<ShadedLight> samplesOf(const ShadedLight& area, int count);
 /// inner sides of a closed lamp would shine through it.
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,
                                         int count);
+
+/// Whether a light's diffuse light comes through a transfer by its rule.
+inline bool comesThrough(Through rule, const ShadedLight& light) {
+  return rule == Through::AllLights || (rule == Through::FarLights && light.throughTransfer);
+}
+
+/// Returns the sample of a large light that is nearest to a place among those that `serves` is true of;
+/// nullptr: there is none.
+template <typename Serves>
+const ShadedLight* nearestSample(std::span<const ShadedLight> lights, const glm::vec3& place, Serves serves) {
+  const ShadedLight* nearest = nullptr;
+  float least = std::numeric_limits<float>::infinity();
+  for (const ShadedLight& light : lights) {
+    const float distance = glm::distance(light.position, place);
+    if (!light.isSample || !serves(light) || distance >= least) continue;
+    least = distance;
+    nearest = &light;
+  }
+  return nearest;
+}
 
 /// A sky's coefficients, projected once and turned for every picture.
 class SkyCoefficients {

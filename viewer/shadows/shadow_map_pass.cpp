@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <utility>
+
+#include "base/directions.h"
 
 namespace prelight::viewer {
 namespace {
@@ -15,49 +15,31 @@ constexpr std::size_t mostCasters = maxLights;  ///< as many as shadows.glsl has
 constexpr int partsOfALamp = 8;                 ///< of one whose size shows
 constexpr float leastShownRadius =
     0.026f;  ///< 1.5 degrees, half the angle of a lamp whose shadows are seen to be soft
-constexpr float spreadOfParts = 2.3999632f;  ///< the golden angle, rad
 
 /// Triangles that all maps of samples together may draw.
 constexpr std::size_t mostTrianglesOfSamples = std::size_t{1} << 25;
 constexpr std::size_t viewsOfASample = 5;
 constexpr std::size_t leastSamples = 4;
 
-bool throughDiffuseTransfer(const DrawingRules& rules, const ShadedLight& light) {
-  return rules.through == Through::AllLights ||
-         (rules.through == Through::FarLights && light.throughTransfer);
-}
-
-/// Two unit vectors that are perpendicular to a third one and to one another.
-std::pair<glm::vec3, glm::vec3> across(const glm::vec3& axis) {
-  const glm::vec3 side = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 x = glm::normalize(glm::cross(side, axis));
-  return {x, glm::cross(axis, x)};
-}
-
-/// Parts of a directional lamp: directions within its disk, evenly by area (Vogel's spiral).
+/// Parts of a directional lamp: directions within its disk, evenly by area.
 std::vector<ShadedLight> partsOfDisk(const ShadedLight& light) {
-  const auto [x, y] = across(light.direction);
   std::vector<ShadedLight> parts(partsOfALamp, light);
-  for (int i = 0; i < partsOfALamp; ++i) {
-    const float turn = spreadOfParts * static_cast<float>(i);
-    const float radius = std::tan(light.radius) * std::sqrt((static_cast<float>(i) + 0.5f) / partsOfALamp);
+  const double depth = 1.0 - std::cos(double{light.radius});
+  for (int i = 0; i < partsOfALamp; ++i)
     parts[static_cast<std::size_t>(i)].direction =
-        glm::normalize(light.direction + radius * (std::cos(turn) * x + std::sin(turn) * y));
-  }
+        directionAbout(light.direction, 1.0 - depth * (i + 0.5) / partsOfALamp, i);
   return parts;
 }
 
-/// Parts of a ball: places on it, evenly by area (a spherical Fibonacci lattice).
+/// Parts of a ball: places on a shell within it, evenly by area.
 std::vector<ShadedLight> partsOfBall(const ShadedLight& light) {
-  std::vector<ShadedLight> parts(partsOfALamp, light);
-  for (int i = 0; i < partsOfALamp; ++i) {
-    const float z = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / partsOfALamp;
-    const float turn = spreadOfParts * static_cast<float>(i), across = std::sqrt(1.0f - z * z);
-    // What is seen of a ball from one side is as wide as a disk whose mean square radius is half of its own:
-    // so is that of this shell.
-    constexpr float share = 0.8660254f;
-    parts[static_cast<std::size_t>(i)].position +=
-        share * light.radius * glm::vec3(across * std::cos(turn), across * std::sin(turn), z);
+  // From one side a ball looks as wide as a disk whose mean square radius is half of its own: so does this
+  // shell.
+  constexpr float share = 0.8660254f;
+  std::vector<ShadedLight> parts;
+  for (const glm::dvec3& direction : spiralDirections(partsOfALamp)) {
+    parts.push_back(light);
+    parts.back().position += share * light.radius * glm::vec3(direction);
   }
   return parts;
 }
@@ -98,7 +80,7 @@ void ShadowMapPass::shadow(const View& view, std::vector<ShadedLight>& lights) {
       samples.push_back(&light);
       continue;
     }
-    if (light.ofSky && throughDiffuseTransfer(info.rules, light)) continue;  // lobes reflect it with the sky
+    if (light.ofSky && comesThrough(info.rules.through, light)) continue;  // lobes reflect it with the sky
     std::vector<ShadedLight> parts = partsOf(light);
     if (casters_.size() + parts.size() > mostCasters) parts.resize(1);
     if (casters_.size() < mostCasters) give(light, std::move(parts));
@@ -118,14 +100,11 @@ void ShadowMapPass::shadow(const View& view, std::vector<ShadedLight>& lights) {
 void ShadowMapPass::shadowSamples(std::span<const ShadedLight> lights, std::span<ShadedLight> samples) const {
   for (ShadedLight& sample : samples) {
     if (!sample.isSample || sample.firstMap >= 0) continue;
-    float least = std::numeric_limits<float>::infinity();
-    for (const ShadedLight& other : lights) {
-      const float distance = glm::distance(other.position, sample.position);
-      if (!other.isSample || other.firstMap < 0 || distance >= least) continue;
-      least = distance;
-      sample.firstMap = other.firstMap;
-      sample.maps = other.maps;
-    }
+    const ShadedLight* nearest =
+        nearestSample(lights, sample.position, [](const ShadedLight& other) { return other.firstMap >= 0; });
+    if (nearest == nullptr) continue;
+    sample.firstMap = nearest->firstMap;
+    sample.maps = nearest->maps;
   }
 }
 

@@ -49,7 +49,7 @@ class LivePicture {
   const DraftSize& draftSize() const { return draftSize_; }
 
  private:
-  /// What update() draws next of a view that has settled.
+  /// The samples that update() draws next of a view that has settled.
   enum class Stage { AllPixels, AllSamples, Done };
 
   void drawDraft(const View& view);

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 
-#include "base/colour.h"
 #include "benchmarks/run/measure.h"
 #include "benchmarks/run/timing.h"
+#include "benchmarks/suites/live/live_error.h"
 #include "benchmarks/suites/live/live_suite.h"
 #include "gi/update/live_light.h"
 
@@ -25,38 +24,16 @@ RigidMotion motionOf(const BenchmarkScene& scene, double share) {
   return {glm::dmat3(1.0), share * glm::dvec3(0.12 * size.x, 0.0, 0.05 * size.z)};
 }
 
-int nodeNamed(const BenchmarkScene& scene, const std::string& name) {
-  for (const MeshNode& node : scene.scene.meshNodes)
-    if (node.name == name) return node.node;
-  for (const Light& light : scene.scene.lights)
-    if (light.name == name) return scene.scene.nodes.at(light.sceneNode).node;
-  return -1;
-}
-
-/// Root of the mean squared difference of luminance over the mean of `truth`.
-double errorOf(std::span<const glm::vec3> got, std::span<const glm::vec3> truth) {
-  double squares = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    squares += std::pow(luminance(glm::dvec3(got[i]) - glm::dvec3(truth[i])), 2.0);
-    sum += luminance(glm::dvec3(truth[i]));
-  }
-  const auto count = static_cast<double>(std::max<std::size_t>(1, truth.size()));
-  return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
-}
-
 using Irradiances = std::vector<glm::vec3>;
 
 Irradiances copyOf(std::span<const glm::vec3> values) { return {values.begin(), values.end()}; }
 
 /// Options of the light of a window of 1280 x 720 pixels.
 LiveLightOptions windowOptions(const LiveOptions& options) {
-  LiveLightOptions live;
-  live.coarser = 4;
+  LiveLightOptions live = optionsOfWindows();
   live.photons = options.followingPhotons;
   live.texels = options.followingTexels;
   live.gather.rays = 128;
-  live.gather.texelsPerFrame = 0;
-  live.gather.blendFrames = 4;
   live.frameSeconds = options.followingMilliseconds * 1e-3;
   live.clock = [] { return processorSeconds() / 2.0; };
   return live;
@@ -69,7 +46,7 @@ class Following {
             const Device& device, Progress& progress, std::vector<BenchmarkResult>& results)
       : scene_(scene),
         case_(scene.name + ", " + node),
-        node_(nodeNamed(scene, node)),
+        node_(nodeOf(scene, node)),
         options_(options),
         progress_(progress),
         results_(results),
@@ -80,7 +57,8 @@ class Following {
   void run() {
     move();
     rest();
-    for (const auto& [stage, seconds] : stages_) add(stage + ", mean of frames at work", seconds / frames_, "s");
+    for (const auto& [stage, seconds] : stages_)
+      add(stage + ", mean of frames at work", seconds / frames_, "s");
   }
 
  private:
@@ -112,8 +90,8 @@ class Following {
       seconds.push_back(frame());
       if (f % options_.followingEvery != 0 && f != options_.followingFrames) continue;
       settled_ = lightAnew(share);
-      error = errorOf(live_.indirect(), settled_);
-      untouched = errorOf(before_, settled_);
+      error = relativeError(live_.indirect(), settled_);
+      untouched = relativeError(before_, settled_);
       worst = std::max(worst, error / untouched);
       add(fmt::format("frame {}: error", f), error, "of the mean");
       add(fmt::format("frame {}: error, of that of the first light", f), error / untouched, "1");
@@ -135,19 +113,21 @@ class Following {
       work += seconds;
       most = std::max(most, seconds);
       ++frames;
-      const double error = errorOf(live_.indirect(), settled_);
+      const double error = relativeError(live_.indirect(), settled_);
       if (frames <= 10 || frames % 10 == 0)
         add(fmt::format("{} frames at rest: error, of that of the first light", frames), error / untouched_,
             "1");
-      if (error > settledError) near.reset();
-      else if (!near) near = work, nearFrames = frames;
+      if (error > settledError)
+        near.reset();
+      else if (!near)
+        near = work, nearFrames = frames;
     }
     add("rest: frames to an error of 0.001", near ? nearFrames : -1, "frames");
     add("rest: processor time to an error of 0.001", near.value_or(-1.0), "s");
     add("rest: frames until settled", frames, "frames");
     add("rest: processor time until settled", work, "s");
     add("rest: processor time of a frame, most", most, "s");
-    add("settled: error", errorOf(live_.indirect(), settled_), "of the mean");
+    add("settled: error", relativeError(live_.indirect(), settled_), "of the mean");
     const double start = processorSeconds();
     truth_.recompute(progress_);
     add("everything anew: processor time", processorSeconds() - start, "s");

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <numbers>
 
-#include "base/colour.h"
 #include "benchmarks/run/measure.h"
+#include "benchmarks/suites/live/live_error.h"
 #include "benchmarks/suites/live/live_suite.h"
 #include "charts/make_light_map_layout.h"
 #include "gi/indirect_light.h"
@@ -105,24 +104,7 @@ LiveLightOptions thesisOptions(ChangeDetection detection) {
   return options;
 }
 
-int nodeOf(const BenchmarkScene& scene, const std::string& name) {
-  for (const MeshNode& node : scene.scene.meshNodes)
-    if (node.name == name) return node.node;
-  return -1;
-}
-
 RigidMotion shifted(const glm::dvec3& by) { return {glm::dmat3(1.0), by}; }
-
-/// Returns the root mean square difference as a share of the mean.
-double difference(std::span<const glm::vec3> got, std::span<const glm::vec3> expected) {
-  double squares = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    squares += std::pow(luminance(glm::dvec3(got[i]) - glm::dvec3(expected[i])), 2.0);
-    sum += luminance(glm::dvec3(expected[i]));
-  }
-  const auto count = static_cast<double>(std::max<std::size_t>(1, got.size()));
-  return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
-}
 
 class UpdateSuite {
  public:
@@ -278,7 +260,7 @@ class UpdateSuite {
     const std::vector<glm::vec3> settled(live.indirect().begin(), live.indirect().end());
     add(case_, "settled after", frames, "frames");
     const double seconds = secondsOf([&] { live.recompute(quiet_); });
-    add(case_, "difference", difference(settled, live.indirect()), "1");
+    add(case_, "difference", relativeError(settled, live.indirect()), "1");
     add(case_, "all again", seconds, "s");
   }
 

@@ -47,14 +47,10 @@ const char* nameOf(FramePass pass) {
 
 /// Returns the options that `prelight view` uses (pictures/followed_light.cpp).
 LiveLightOptions followingOptions(int pixels) {
-  LiveLightOptions options;
-  options.coarser = 4;
+  LiveLightOptions options = optionsOfWindows();
   options.photons = 50000;
   options.texels = static_cast<std::uint32_t>(std::clamp(pixels / 32, 4096, 65536));
   options.gather.rays = 128;
-  options.gather.texelsPerFrame = 0;
-  options.gather.blendFrames = 4;
-  options.frameSeconds = 1.0 / 30.0;
   options.causticPhotons = 20000;
   return options;
 }

@@ -191,7 +191,7 @@ void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradian
     const glm::dvec3 point = pointOf(scene_, places_[i]);
     double share = 0.0;
     for (const Box& box : boxes) share += ballShare(box, point);
-    // What an object uncovers was dark, so its own light tells nothing.
+    // Places that an object uncovers were dark: their own light tells nothing.
     near_[i] += std::min(share, 1.0) * std::max(mean, luminance(glm::dvec3(gathered_[i])));
   }
   lookAround(triangles, progress);

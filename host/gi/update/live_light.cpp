@@ -53,6 +53,15 @@ std::uint32_t limited(std::uint32_t perFrame, std::uint32_t affordable) {
 
 }  // namespace
 
+LiveLightOptions optionsOfWindows() {
+  LiveLightOptions options;
+  options.frameSeconds = 1.0 / 30.0;
+  options.coarser = 4;
+  options.gather.texelsPerFrame = 0;
+  options.gather.blendFrames = 4;
+  return options;
+}
+
 LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
                      const LiveLightOptions& options, std::span<const int> movable, const Device& device,
                      Progress& progress)

@@ -63,6 +63,9 @@ struct LiveFrame {
   std::uint64_t rays() const { return photons.rays + caustics.rays + gather.rays + coarseRays; }
 };
 
+/// Returns the options of light that follows a window: what a frame may take, and how soon changes show.
+LiveLightOptions optionsOfWindows();
+
 /// Indirect light and caustics of a scene with moving objects and lights, updated a little per frame (Larsen
 /// 2004): photons whose paths have changed are sent again, the approximation is estimated again where photons
 /// came or went, and texels are gathered again in order of change. Unaffected parts cost nothing.

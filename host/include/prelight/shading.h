@@ -37,7 +37,7 @@ enum class AoFilter : std::uint8_t {
   Cosine,  ///< all of the cosine about the bent normal
 };
 
-/// What shadows lamps and the lamps of skies in shadings that do not show all light.
+/// Sources of the shadows of lamps, and of the lamps of skies, in shadings that do not show all light.
 enum class LampShadows : std::uint8_t {
   Auto,   ///< what the shading's own data hold of a lamp, and shadow maps where they hold nothing
   Maps,   ///< shadow maps for all lamps; light that surfaces send on stays without that of lamps which maps

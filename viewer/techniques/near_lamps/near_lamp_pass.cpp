@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -178,13 +177,9 @@ void NearLampPass::choose(std::span<ShadedLight> lights, const CompiledScene& sc
 void NearLampPass::share(std::span<const ShadedLight> chosen, std::span<ShadedLight> samples) {
   for (ShadedLight& sample : samples) {
     if (!sample.isSample) continue;
-    float least = std::numeric_limits<float>::infinity();
-    for (const ShadedLight& other : chosen) {
-      const float distance = glm::distance(other.position, sample.position);
-      if (!other.isSample || distance >= least) continue;
-      least = distance;
-      sample.shadow = other.shadow;
-    }
+    const ShadedLight* nearest =
+        nearestSample(chosen, sample.position, [](const ShadedLight&) { return true; });
+    if (nearest != nullptr) sample.shadow = nearest->shadow;
   }
 }
 
