@@ -411,9 +411,13 @@ TEST(ShShading, PointLightWithinTheBounds_ShinesWithoutShadowsAndSaysSo) {
   quad.compile();
   quad.bakeOpen(4, 1, 1.0f, 0.0);  // A transfer of 0.
   Warnings notes;
-  const Picture picture = viewer::renderPicture(quad.inputs(), square(Shading::Sh), notes);
+  const Picture picture = viewer::renderPicture(quad.inputs(), squareByBake(Shading::Sh), notes);
   expectColor(pixelAt(picture), glm::dvec3(1.0 / pi), 1e-3);
   EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("without shadows")));
+  Warnings ofMaps;
+  viewer::renderPicture(quad.inputs(), square(Shading::Sh), ofMaps);
+  EXPECT_THAT(ofMaps, testing::Contains(testing::HasSubstr("do not send on the light")));
+  EXPECT_THAT(ofMaps, testing::Not(testing::Contains(testing::HasSubstr("without shadows"))));
 }
 
 TEST(ShShading, SkyTurned_MatchesTheSkyDrawnTurned) {
