@@ -138,13 +138,18 @@ TEST(ScreenLight, Lamp_IsShadowedWithinTheRadiusAlone) {
   scene.scene.lights = {makeLight(LightType::Directional, glm::vec3(3), {}, {-1, 0, -1})};
   scene.compile();
   const double lit = 3.0 / pi * std::sqrt(0.5);
-  const Picture picture = scene.render(screenOptions(160, light(0.5, 0)));
+  const auto rendered = [&](double radius) {
+    viewer::RenderOptions options = screenOptions(160, light(radius, 0));
+    options.direct = LampShadows::Baked;
+    return scene.render(options);
+  };
+  const Picture picture = rendered(0.5);
   for (const double distance : {0.06, 0.1, 0.14})
     EXPECT_NEAR(pixelOf(picture, scene, {-distance, 0, 0}).r, 0.0, 0.1) << distance;
   for (const double distance : {0.27, 0.4, 0.7})
     EXPECT_NEAR(pixelOf(picture, scene, {-distance, 0, 0}).r, lit, 0.03) << distance;
   EXPECT_NEAR(pixelOf(picture, scene, {0.3, 0, 0}).r, lit, 0.03) << "on the lamp's side";
-  const Picture shorter = scene.render(screenOptions(160, light(0.05, 0)));
+  const Picture shorter = rendered(0.05);
   EXPECT_NEAR(pixelOf(shorter, scene, {-0.1, 0, 0}).r, lit, 0.03) << "farther than the radius";
 }
 

@@ -102,7 +102,8 @@ ShaderVariant Renderer::variantOf(const Drawing& drawing, std::span<const Shaded
   ShaderVariant variant = plainVariant(view);
   if (!specialised_) {
     variant.features = Features::all();
-    variant.features.remove(Feature::LocalReflections);
+    for (const Feature ofPasses : {Feature::LocalReflections, Feature::ShadowMaps})
+      variant.features.remove(ofPasses);
     for (const TechniquePass* pass : drawing.passes) pass->addFeatures(variant.features);
     return variant;
   }

@@ -17,6 +17,8 @@ using namespace options;
 using Row = Rows<ShadingOptions>;
 
 constexpr const char* onScreen = "screen";
+constexpr const char* ofLampShadows =  // all that do not show all light
+    "phong ao cones horizons thickness screen sh ch haar glossy lights radiosity lightmap vo";
 constexpr double farthest = 1e6;  // m
 constexpr double mostHaarTerms = 6 * 128 * 128;
 
@@ -103,7 +105,8 @@ using Effects = OccluderEffects;
 constexpr auto shadingRows = std::to_array<Option<ShadingOptions>>({
     Row::choice<&ShadingOptions::direct>(lampShadows, {.field = "RenderOptions::direct",
                                                        .name = "direct",
-                                                       .help = "what shadows lamps and the sun of a sky"}),
+                                                       .help = "what shadows lamps and the sun of a sky",
+                                                       .shadings = ofLampShadows}),
     Row::number<&ShadingOptions::haarTerms>(
         whole(1, mostHaarTerms, "all"),
         {.field = "RenderOptions::haarTerms",
