@@ -296,7 +296,7 @@ TEST(LocalReflections, BallAloneUnderASky_HasNoMapAndThePlanSaysWhy) {
     ball.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
     ball.quad.bakeOpen(3);
     const viewer::RenderInputs inputs = ball.inputs();
-    const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
+    const viewer::View view = viewer::makeView(inputs, squareByBake(Shading::Sh, 32));
     const viewer::gl::EglContext context;
     viewer::Renderer renderer(inputs);
     const std::vector<PlannedPass> plan = renderer.plan(view);
@@ -316,7 +316,7 @@ TEST(LocalReflections, ManyLargeNodesUnderASky_TakeNoMaps) {
   ball.compile();
   ball.quad.bakeOpen(3);
   const viewer::RenderInputs inputs = ball.quad.inputs();
-  const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
+  const viewer::View view = viewer::makeView(inputs, squareByBake(Shading::Sh, 32));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   const std::vector<PlannedPass> plan = renderer.plan(view);
@@ -359,7 +359,7 @@ TEST(LocalReflections, DiffuseScene_HasNoMapsAndNoRowInThePlan) {
   Ball ball(lambertian(glm::vec3(0.5f)), glm::vec3(0.0f), Ball::Around::Room);
   ball.quad.bakeOpen(3);
   const viewer::RenderInputs inputs = ball.inputs();
-  const viewer::View view = viewer::makeView(inputs, square(Shading::Sh, 32));
+  const viewer::View view = viewer::makeView(inputs, squareByBake(Shading::Sh, 32));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   EXPECT_TRUE(renderer.plan(view).empty());
