@@ -491,6 +491,17 @@ def update(rows):
     return bar_chart("A frame in which light follows what moves, without drawing", "milliseconds", groups, legend)
 
 
+def following(rows):
+    curves, colours = Curves(), Colours()
+    for row in rows:
+        if row.metric.endswith("of that of the first light") and "frame" in row.metric and "greatest" not in row.metric:
+            moving = row.metric.startswith("frame ")
+            frames = number(row.metric.removeprefix("frame ").replace(":", " "))
+            curves.add(row.case + (", moving" if moving else ", at rest"), colours[row.case], STRONG if moving else DASHED, (frames, row.value))
+    return curve_chart("Error of indirect light that follows a node", "frames since it began to move, or stopped",
+                       "error, of that of light that does not follow", curves.list())
+
+
 def skip(rows):
     times = {row.case: row.value for row in rows if row.metric == "processor time"}
     bars = []
@@ -611,6 +622,7 @@ CHARTS = {
     "lightmaps": {"lightmaps": light_maps},
     "radiosity": {"radiosity": radiosity},
     "update": {"update": update},
+    "following": {"following": following},
     "live-light": {"live-light": metric_bars("Error of indirect light that follows what moves, in pictures", "rms error, of the mean, %", "picture error", 100.0)},
     "compress": {"compress": compress},
     "encodings": {"encodings": metric_bars("Error of encodings of incident light",
