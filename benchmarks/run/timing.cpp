@@ -60,10 +60,6 @@ double leastSeconds(const std::vector<double>& rounds, std::size_t parts) {
   });
 }
 
-double steadySeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Deadline::Deadline(double seconds, SecondsSource clock)
     : clock_(std::move(clock)), end_(clock_() + seconds) {}
 

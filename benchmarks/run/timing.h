@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/clocks.h"
 #include "prelight/progress.h"
 
 namespace prelight::benchmarks {
@@ -34,7 +35,7 @@ double leastSeconds(const std::vector<double>& rounds, std::size_t parts);
 
 /// A clock: returns seconds since some moment.
 using SecondsSource = std::function<double()>;
-double steadySeconds();
+using prelight::steadySeconds;
 
 /// A moment by which work should end.
 class Deadline {

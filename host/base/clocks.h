@@ -9,6 +9,11 @@
 
 namespace prelight {
 
+/// Seconds since some moment, by a clock that never goes back.
+inline double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Records the time since the last mark under a name; consecutive marks of one name add up.
 class StageClock {
  public:

@@ -1,8 +1,8 @@
 #include "pictures/followed_light.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "base/clocks.h"
 #include "pictures/shaded_scene.h"
 #include "viewer/core/camera.h"
 
@@ -12,10 +12,6 @@ namespace {
 
 /// Fewer than elsewhere, because a few frames may have to send all of them again.
 constexpr std::uint64_t followedCausticPhotons = 20000;
-
-double steadySeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Returns the request for a picture of the size of `shaded`.
 GlobalIlluminationPictureRequest sizedRequest(const PictureRequest& asked, const ShadedScene& shaded) {

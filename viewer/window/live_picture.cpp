@@ -1,14 +1,11 @@
 #include "viewer/window/live_picture.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "base/clocks.h"
 
 namespace prelight::viewer {
 namespace {
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Makes the target anew where it is not of that size.
 const gl::Framebuffer& targetOf(std::optional<gl::Framebuffer>& target, int width, int height) {
@@ -67,12 +64,12 @@ void LivePicture::drawDraft(const View& view) {
   const int divisor = draftSize_.divisor();
   View drawn = partOf(view, divisor);
   drawn.draft = divisor > 1 || fullSamples_ > 1;
-  const double start = secondsNow();
+  const double start = steadySeconds();
   const gl::Framebuffer& target = divisor > 1 ? targetOf(draft_, drawn.width, drawn.height) : *shown_;
   renderer_.draw(drawn, {0, 0, drawn.width, drawn.height}, target);
   if (divisor > 1) resolver_.resolve(target, {0, 0, drawn.width, drawn.height}, *shown_);
   gl::Framebuffer::finish();
-  lastSeconds_ = secondsNow() - start;
+  lastSeconds_ = steadySeconds() - start;
   draftSize_.drew(lastSeconds_);
   if (!drawn.draft)
     stage_ = Stage::Done;
@@ -95,13 +92,13 @@ void LivePicture::startStage(const View& view) {
 }
 
 void LivePicture::drawSlice(const View& view) {
-  const double start = secondsNow();
+  const double start = steadySeconds();
   if (!work_) startStage(view);
   const bool goesOn = work_->goOn();
   if (!goesOn && stage_ == Stage::AllSamples && fullSamples_ > 1)
     resolver_.resolve(*samples_, {0, 0, samples_->width(), samples_->height()}, *shown_);
   gl::Framebuffer::finish();
-  workSeconds_ += secondsNow() - start;
+  workSeconds_ += steadySeconds() - start;
   if (goesOn) return;
   work_.reset();
   lastSeconds_ = workSeconds_;
