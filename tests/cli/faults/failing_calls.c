@@ -2,8 +2,8 @@
 //
 //   PRELIGHT_FAULT: "KIND NUMBER once|forever": the call with that number (from 1) fails, alone or with all later ones. KIND is
 //       allocation, open, write or thread. Unset: nothing fails.
-//   PRELIGHT_FAULT_SPARES: part of a library's file name. An allocation that such a library makes itself does not fail alone: the
-//       next one of others fails in its place.
+//   PRELIGHT_FAULT_SPARES: parts of file names of libraries, separated by colons. An allocation that such a library makes itself
+//       does not fail alone: the next one of others fails in its place.
 //   PRELIGHT_FAULT_COUNTS: an existing file of one 64-bit number of calls per kind, in that order, and one of failed calls.
 //
 // Calls are counted from main() on, in the program `prelight` alone. Calls that the C library makes internally are not counted.
@@ -31,7 +31,7 @@ extern void* __libc_memalign(size_t, size_t);
 static uint64_t* counts;  // [KINDS], then the number of failed calls.
 static int armed, failingKind = KINDS, forever;
 static uint64_t failingNumber;
-static const char* spared;  // part of a file name, or NULL
+static char spared[256];  // parts of file names, each followed by a zero; an empty one ends them
 
 static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread"};
 
@@ -46,7 +46,10 @@ static int fails(enum Kind kind) {
 
 static int belongsToSpared(void* caller) {
   Dl_info info;
-  return spared != NULL && dladdr(caller, &info) != 0 && info.dli_fname != NULL && strstr(info.dli_fname, spared) != NULL;
+  if (spared[0] == '\0' || dladdr(caller, &info) == 0 || info.dli_fname == NULL) return 0;
+  for (const char* name = spared; *name != '\0'; name += strlen(name) + 1)
+    if (strstr(info.dli_fname, name) != NULL) return 1;
+  return 0;
 }
 
 static void* next(const char* name) { return dlsym(RTLD_NEXT, name); }
@@ -61,11 +64,18 @@ static void readFault(const char* text) {
   forever = strcmp(mode, "forever") == 0;
 }
 
+static void readSpared(const char* names) {
+  if (names == NULL) return;
+  strncpy(spared, names, sizeof spared - 2);  // Two zeros are left at the end.
+  for (char* c = spared; *c != '\0' || c[1] != '\0'; ++c)
+    if (*c == ':') *c = '\0';
+}
+
 static void arm(void) {
   const char* path = getenv("PRELIGHT_FAULT_COUNTS");
   if (path == NULL || strncmp(program_invocation_short_name, "prelight", 8) != 0) return;
   readFault(getenv("PRELIGHT_FAULT"));
-  spared = getenv("PRELIGHT_FAULT_SPARES");
+  readSpared(getenv("PRELIGHT_FAULT_SPARES"));
   int (*realOpen)(const char*, int, ...) = (int (*)(const char*, int, ...))next("open");
   const int descriptor = realOpen(path, O_RDWR | O_CLOEXEC);
   void* shared = mmap(NULL, (KINDS + 1) * sizeof(uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
