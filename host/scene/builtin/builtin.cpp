@@ -10,6 +10,7 @@
 #include "prelight/error.h"
 #include "scene/builtin/crowd_scene.h"
 #include "scene/builtin/gltf_builder.h"
+#include "scene/builtin/salon_scene.h"
 #include "scene/builtin/water_scenes.h"
 
 namespace prelight {
@@ -347,6 +348,8 @@ const std::vector<Recipe>& recipes() {
       {{"lake", "a lake between shores under three low lamps"}, makeLakeScene},
       {{"bumps", "a ground of cobbles, a rough wall and a block, by normal maps, unfolded for light maps"},
        makeBumpsScene},
+      {{"salon", "a furnished room with a French window, and the court behind it (196 k triangles)"},
+       makeSalonScene},
   };
   return list;
 }

@@ -93,15 +93,12 @@ int GltfBuilder::addDiffuse(const std::string& name, const glm::vec3& albedo) {
 
 int GltfBuilder::addBumpy(const std::string& name, const glm::vec3& albedo, const Image& normals,
                           float repeats) {
-  Json& json = document_.json;
-  const int view = appendBufferView(document_, encodePng(normals));
-  json["images"].push_back({{"name", normals.name}, {"mimeType", "image/png"}, {"bufferView", view}});
-  json["textures"].push_back({{"source", json["images"].size() - 1}});
+  const int normalTexture = addTexture(normals);
   const int material = addDiffuse(name, albedo);
-  Json texture = {{"index", json["textures"].size() - 1}};
+  Json texture = {{"index", normalTexture}};
   texture["extensions"]["KHR_texture_transform"]["scale"] = {repeats, repeats};
   useExtension("KHR_texture_transform");
-  json["materials"][static_cast<std::size_t>(material)]["normalTexture"] = std::move(texture);
+  document_.json["materials"][static_cast<std::size_t>(material)]["normalTexture"] = std::move(texture);
   return material;
 }
 
@@ -148,6 +145,34 @@ int GltfBuilder::addPlain(const PlainMaterial& plain) {
     extensions["KHR_materials_transmission"]["transmissionFactor"] = plain.transmission;
   if (plain.solid) extensions["KHR_materials_volume"]["thicknessFactor"] = 1;
   return addMaterial(std::move(material));
+}
+
+int GltfBuilder::addTexture(const Image& image) {
+  Json& json = document_.json;
+  const int view = appendBufferView(document_, encodePng(image));
+  json["images"].push_back({{"name", image.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+  json["textures"].push_back({{"source", json["images"].size() - 1}});
+  return static_cast<int>(json["textures"].size()) - 1;
+}
+
+MapIndices GltfBuilder::addMaps(const Image& albedo, const Image& roughness, const Image& normals) {
+  return {addTexture(albedo), addTexture(roughness), addTexture(normals)};
+}
+
+int GltfBuilder::addMapped(const PlainMaterial& plain, const MapIndices& maps) {
+  const int index = addPlain(plain);
+  Json& material = document_.json["materials"][static_cast<std::size_t>(index)];
+  Json& surface = material["pbrMetallicRoughness"];
+  if (maps.albedo >= 0) surface["baseColorTexture"] = {{"index", maps.albedo}};
+  if (maps.roughness >= 0) surface["metallicRoughnessTexture"] = {{"index", maps.roughness}};
+  if (maps.normals >= 0) material["normalTexture"] = {{"index", maps.normals}};
+  return index;
+}
+
+void GltfBuilder::addSheen(int material, const glm::vec3& color, float roughness) {
+  useExtension("KHR_materials_sheen");
+  document_.json["materials"][static_cast<std::size_t>(material)]["extensions"]["KHR_materials_sheen"] = {
+      {"sheenColorFactor", toJson(color)}, {"sheenRoughnessFactor", roughness}};
 }
 
 int GltfBuilder::addPositions(std::span<const glm::vec3> points) {

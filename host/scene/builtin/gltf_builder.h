@@ -11,6 +11,13 @@
 
 namespace prelight {
 
+/// Indices of a document's textures; -1: none.
+struct MapIndices {
+  int albedo = -1;
+  int roughness = -1;
+  int normals = -1;
+};
+
 /// Builds a glTF document part by part. All parts are named; every node is a root of the only scene. The add
 /// functions return the index of what they add.
 class GltfBuilder {
@@ -28,6 +35,13 @@ class GltfBuilder {
   int addGlass(const std::string& name, float ior);
 
   int addPlain(const PlainMaterial& material);
+
+  /// Adds images as textures, which several materials may share.
+  MapIndices addMaps(const Image& albedo, const Image& roughness, const Image& normals);
+  /// As addPlain, with textures that multiply base colour and roughness.
+  int addMapped(const PlainMaterial& material, const MapIndices& maps);
+  /// Gives a material fibres that scatter light, as on cloth.
+  void addSheen(int material, const glm::vec3& color, float roughness);
 
   /// Adds a node with a mesh, which must be valid.
   void addMesh(const MeshArrays& mesh);
@@ -54,6 +68,7 @@ class GltfBuilder {
 
  private:
   int addMaterial(nlohmann::ordered_json material);
+  int addTexture(const Image& image);
   int addPositions(std::span<const glm::vec3> positions);
   void addMeshNode(nlohmann::ordered_json primitive, nlohmann::ordered_json node);
   void addNode(nlohmann::ordered_json node);

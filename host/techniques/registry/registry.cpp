@@ -45,7 +45,7 @@ OptionRows orderedOptions() {
 
 OptionRows allOptions() {
   OptionRows options = orderedOptions();
-  for (const auto rows : {lightOptions(), castOptions()})
+  for (const auto rows : {lightOptions(), prelight::castOptions()})
     options.insert(options.end(), rows.begin(), rows.end());
   return options;
 }

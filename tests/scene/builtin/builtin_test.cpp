@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "prelight/error.h"
@@ -70,7 +71,7 @@ TEST(BuiltinScenes, All_SurviveWritingAndReading) {
 }
 
 TEST(BuiltinScenes, All_HaveOneCameraAndTheirLights) {
-  const std::map<std::string, std::size_t> several = {{"crowd", 20}, {"ocean", 8}, {"lake", 3}};
+  const std::map<std::string, std::size_t> several = {{"crowd", 20}, {"ocean", 8}, {"lake", 3}, {"salon", 2}};
   for (const BuiltinScene& builtin : builtinScenes()) {
     Warnings warnings;
     const Scene scene = loadScene(makeBuiltinScene(builtin.name), warnings);
@@ -83,6 +84,11 @@ TEST(BuiltinScenes, All_HaveOneCameraAndTheirLights) {
   }
 }
 
+const CompiledScene& compiledSalon() {
+  static const CompiledScene salon = compileBuiltin("salon");
+  return salon;
+}
+
 TEST(BuiltinScenes, Counts_AreAsDocumented) {
   const CompiledScene shapes = compileBuiltin("shapes");
   EXPECT_EQ(shapes.triangleCount(), 9800u);
@@ -91,6 +97,7 @@ TEST(BuiltinScenes, Counts_AreAsDocumented) {
   EXPECT_EQ(compileBuiltin("cornell").triangleCount(), 13122u);
   EXPECT_EQ(compileBuiltin("caustics").triangleCount(), 13378u);
   EXPECT_EQ(compileBuiltin("rooms").triangleCount(), 8536u);
+  EXPECT_EQ(compiledSalon().triangleCount(), 195672u);
 }
 
 TEST(BuiltinScenes, ShapesAndGlass_AreClosedAndFaceOutwards) {
@@ -140,6 +147,62 @@ TEST(BuiltinScenes, ShadingAndGeometricNormals_Agree) {
       }
     }
   }
+}
+
+/// All parts of `salon` are closed but sheets: surfaces of the buildings and the ground, panes, cloth,
+/// leaves, branches and the cones of the lamp's shade.
+TEST(BuiltinScenes, ObjectsOfTheSalon_AreClosedAndFaceOutwards) {
+  const std::set<std::string> sheets = {"Floor",
+                                        "Walls",
+                                        "Ceiling",
+                                        "Left curtain",
+                                        "Right curtain",
+                                        "Mirror",
+                                        "Picture",
+                                        "Lamp shade",
+                                        "Twigs",
+                                        "Inside of the shade",
+                                        "Rims of the shade",
+                                        "Twig leaves",
+                                        "Paving",
+                                        "Court walls",
+                                        "Gate wall",
+                                        "Garden",
+                                        "Trunks",
+                                        "Olive leaves",
+                                        "Hedge leaves",
+                                        "Ivy"};
+  const CompiledScene& salon = compiledSalon();
+  for (const PrimitiveRange& range : salon.primitives) {
+    const std::string node = range.name.substr(0, range.name.find('/'));
+    if (sheets.contains(node)) continue;
+    EXPECT_GT(signedVolume(salon, range), 0.0) << range.name;
+    EXPECT_EQ(openEdges(salon, range), 0u) << range.name;
+  }
+}
+
+/// Nothing that stands in the room of `salon` reaches through its floor or its ceiling.
+TEST(BuiltinScenes, FurnitureOfTheSalon_StandsOnItsFloor) {
+  const CompiledScene& salon = compiledSalon();
+  for (const char* name : {"Bookcase", "Console", "Armchair", "Armchair legs", "Chair", "Table", "Rug"}) {
+    const auto range =
+        std::find_if(salon.primitives.begin(), salon.primitives.end(), [&](const PrimitiveRange& r) {
+          return r.name == name || r.name.starts_with(std::string(name) + "/");
+        });
+    ASSERT_NE(range, salon.primitives.end()) << name;
+    double low = 1e9, high = -1e9;
+    for (std::uint32_t v = range->firstVertex; v < range->firstVertex + range->vertexCount; ++v) {
+      const double y = static_cast<double>(salon.positions[v].y) + salon.origin.y;
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+    EXPECT_GE(low, 0.0) << name;
+    EXPECT_LT(high, 3.0) << name;
+  }
+}
+
+TEST(BuiltinScenes, Salon_IsTheSameEachTime) {
+  EXPECT_TRUE(makeBuiltinScene("salon").bin == makeBuiltinScene("salon").bin);
 }
 
 /// From a point inside, every wall shows its front.
