@@ -27,6 +27,25 @@ bool carriesAny(const Bake& bake) {
   });
 }
 
+/// Returns whether all light of a picture can be traced without being asked for. The pictures of a sequence
+/// are drawn from light that is computed once, so that what moves needs a window.
+bool canTrace(const PictureRequest& asked, bool window, const CompiledScene& compiled) {
+  return compiled.triangleCount() > 0 && compiled.triangleCount() <= mostTracedTriangles &&
+         !anyDrawnOnly(asked.render.lights) && asked.causticPhotons == 0 && (window || !asked.pose.plays);
+}
+
+bool findsDevice(DrawingSession& session, const PictureRequest& asked) {
+  const DeviceOptions options = session.deviceOptions(asked.bake);
+  try {
+    session.measure("device", [&] { return session.openDevice(options); });
+    return true;
+  } catch (const Error& error) {
+    if (options.selector) throw;
+    session.note(fmt::format("direct light alone is drawn: {}", error.what()));
+    return false;
+  }
+}
+
 /// Warns of options that were given although the shading does not use them.
 template <typename Options>
 void warnOfUnusedOptions(DrawingSession& session, const Options& options, viewer::Shading shading) {
@@ -97,12 +116,12 @@ viewer::LightOfPicture lightOfPicture(const PictureRequest& asked, const LoadedS
   return light;
 }
 
-viewer::Shading chooseShading(const PictureRequest& asked, const LoadedScene& loaded, const Bake& bake,
+viewer::Shading chooseShading(DrawingSession& session, const PictureRequest& asked, bool window,
+                              const LoadedScene& loaded, const Bake& bake,
                               const viewer::LightOfPicture& light) {
   if (carriesAny(bake)) return viewer::carriedShading(bake, light);
-  const bool traceable = loaded.compiled.triangleCount() <= mostTracedTriangles &&
-                         !anyDrawnOnly(asked.render.lights) && asked.causticPhotons == 0;
-  return light.inside && traceable ? viewer::Shading::GlobalIllumination : viewer::Shading::Phong;
+  const bool all = canTrace(asked, window, loaded.compiled) && (light.sky || light.outside || light.inside);
+  return all && findsDevice(session, asked) ? viewer::Shading::GlobalIllumination : viewer::Shading::Phong;
 }
 
 }  // namespace prelight::pictures

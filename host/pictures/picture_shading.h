@@ -10,8 +10,10 @@ viewer::LightOfPicture lightOfPicture(const PictureRequest& asked, const LoadedS
                                       const Environment* sky, double turn);
 
 /// Chooses the shading of a picture that none is asked for: that of least expected error among those that the
-/// bake carries; without a bake all light where lamps are within a scene of moderate size, else direct light.
-viewer::Shading chooseShading(const PictureRequest& asked, const LoadedScene& loaded, const Bake& bake,
+/// bake carries; without a bake all light where the scene is of moderate size and a device traces it, else
+/// direct light. `window`: what moves is followed.
+viewer::Shading chooseShading(DrawingSession& session, const PictureRequest& asked, bool window,
+                              const LoadedScene& loaded, const Bake& bake,
                               const viewer::LightOfPicture& light);
 
 /// Throws UsageError where light that is followed or baked under the picture's lights would have to know area

@@ -9,10 +9,10 @@
 #include "pictures/drawn_encoding.h"
 #include "pictures/missing_bake.h"
 #include "pictures/picture_lights.h"
+#include "pictures/picture_shading.h"
 #include "pictures/picture_sky.h"
 #include "pictures/recorded_sky.h"
 #include "pictures/session/stale_bake.h"
-#include "pictures/picture_shading.h"
 #include "viewer/core/camera.h"
 
 namespace prelight::pictures {
@@ -138,10 +138,11 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   const viewer::LightOfPicture light =
       lightOfPicture(asked, shaded.loaded, shaded.environment ? &*shaded.environment : nullptr,
                      asked.render.skyRotation + sky.rotation);
-  render.shading = asked.shading.value_or(asked.objects.any() ? shadingAmong(asked.objects, shaded.bake)
-                                          : asked.encoding != nullptr
-                                              ? viewer::Shading::LightMap
-                                              : chooseShading(asked, shaded.loaded, shaded.bake, light));
+  render.shading =
+      asked.shading.value_or(asked.objects.any()         ? shadingAmong(asked.objects, shaded.bake)
+                             : asked.encoding != nullptr ? viewer::Shading::LightMap
+                                                         : chooseShading(session, asked, everyShading,
+                                                                         shaded.loaded, shaded.bake, light));
   checkAreaLights(asked, render.shading, everyShading, shaded.bake);
   shaded.encoding = asked.encoding;
   checkEncoding(asked.scene, shaded.bake, render.shading, shaded.encoding);

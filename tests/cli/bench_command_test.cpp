@@ -309,7 +309,7 @@ TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
 const std::map<std::string, std::vector<std::string>>& partsOfSuites() {
   static const std::map<std::string, std::vector<std::string>> parts = {
 #ifdef PRELIGHT_WITH_VIEWER
-      {"live", {"update", "live-light"}},
+      {"live", {"update", "following", "live-light"}},
       {"pictures", {"reference", "full", "objects", "materials"}},
       {"techniques", {"techniques"}},
       {"viewer", {"viewer"}},
