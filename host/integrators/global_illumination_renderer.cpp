@@ -113,8 +113,9 @@ std::uint64_t pixelsOf(const GlobalIlluminationPictureRequest& request) {
 
 }  // namespace
 
-std::uint32_t GlobalIlluminationPictureRequest::mapTexels() const {
-  const auto usual = std::clamp<std::uint64_t>(pixelsOf(*this) / 32, 4096, 65536);
+std::uint32_t GlobalIlluminationPictureRequest::mapTexels(std::uint32_t triangles) const {
+  const auto usual =
+      std::clamp<std::uint64_t>(std::max<std::uint64_t>(pixelsOf(*this) / 32, triangles / 4), 4096, 65536);
   return texels.value_or(static_cast<std::uint32_t>(usual));
 }
 
@@ -167,7 +168,9 @@ Picture renderGlobalIllumination(const Scene& scene, const LitScene& lit, const 
                                  Progress& progress, GlobalIlluminationPictureReport& report) {
   return renderGlobalIllumination(
       lit, camera, request,
-      std::async(std::launch::async, [&] { return layOutSurface(scene, lit.scene, request.mapTexels()); }),
+      std::async(
+          std::launch::async,
+          [&] { return layOutSurface(scene, lit.scene, request.mapTexels(lit.scene.triangleCount())); }),
       device, progress, report);
 }
 

@@ -36,13 +36,15 @@ struct GlobalIlluminationPictureRequest {
   bool guides = false;  ///< whether guides of a denoiser are made, too
   bool parts = false;   ///< whether the parts of the picture are made, too
 
-  /// Default when none is requested: one texel per 32 pixels, 4096 to 65,536, and one caustic photon per
-  /// pixel, 160,000 to a million, so that larger pictures are sharper at proportional cost.
-  std::uint32_t mapTexels() const;
+  /// Default when none is requested: one texel per 32 pixels or per four triangles of the scene, whichever
+  /// are more, 4096 to 65,536, so that larger pictures are sharper at proportional cost and small parts have
+  /// texels of their own.
+  std::uint32_t mapTexels(std::uint32_t triangles) const;
   /// Returns the rays per texel. Denoisers remove noise of pixels but not blotches of the map, so that with
   /// guides more samples imply more rays. Under a sky the number stays, since the sky's direct light has the
   /// greatest error.
   std::uint32_t raysOfTexels(bool sky) const;
+  /// Default when none is requested: one per pixel, 160,000 to a million.
   std::uint64_t photonsOfCaustics() const;
 };
 

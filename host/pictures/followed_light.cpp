@@ -69,7 +69,8 @@ GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const Pictur
   request.indirect.directByPhotons = true;  // as in the frames that follow, see LiveLight
   request.causticPhotons = sized.photonsOfCaustics();
   GlobalIllumination light = session.measure("light", [&] {
-    return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), *device,
+    return computeGlobalIllumination(shaded.loaded.scene, lit, request,
+                                     sized.mapTexels(shaded.loaded.compiled.triangleCount()), *device,
                                      session.progress());
   });
   return light;
@@ -82,7 +83,7 @@ std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const Pi
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
   LiveLightOptions live = optionsOfWindows();
   live.photons = asked.full.indirect.photons;
-  live.texels = sized.mapTexels();
+  live.texels = sized.mapTexels(shaded.loaded.compiled.triangleCount());
   live.gather.rays = asked.full.indirect.rays;
   if (!asked.countedFrames) live.clock = steadySeconds;
   live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);

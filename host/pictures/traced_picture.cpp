@@ -105,8 +105,9 @@ TracedPicture tracePicture(DrawingSession& session, const PictureRequest& asked,
   made.lights = plan.lit.lights;
   GlobalIlluminationPictureRequest& request = made.request = plan.request;
   request.guides = denoising.wanted();
-  std::future<LitSurface> surface = std::async(
-      std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
+  std::future<LitSurface> surface = std::async(std::launch::async, [&] {
+    return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels(loaded.compiled.triangleCount()));
+  });
   session.measure("device", [&] { opening.wait(); });
   const Device& device = *opening.get();
   denoising.require();

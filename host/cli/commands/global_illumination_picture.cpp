@@ -83,12 +83,13 @@ void printSummary(const GlobalIlluminationPictureRequest& request,
 
 /// Returns the request for a part of the picture: a share of its pixels, of its map's texels and of its
 /// photons.
-GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest& whole, double share) {
+GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest& whole,
+                                         std::uint32_t triangles, double share) {
   GlobalIlluminationPictureRequest part = whole;
   const auto scaled = [](double value) { return std::max(1.0, std::round(value)); };
   part.width = static_cast<int>(scaled(whole.width * std::sqrt(share)));
   part.height = static_cast<int>(scaled(whole.height * std::sqrt(share)));
-  part.texels = static_cast<std::uint32_t>(scaled(whole.mapTexels() * share));
+  part.texels = static_cast<std::uint32_t>(scaled(whole.mapTexels(triangles) * share));
   part.causticPhotons =
       static_cast<std::uint64_t>(scaled(static_cast<double>(whole.photonsOfCaustics()) * share));
   part.indirect.photons =
@@ -105,7 +106,8 @@ struct PictureSample {
 PictureSample drawSample(Session& session, const LoadedScene& loaded, const TracedPlan& plan, double share,
                          const Device& device) {
   PictureSample drawn{.sample = {.size = share}};
-  const GlobalIlluminationPictureRequest request = shareOf(plan.request, share);
+  const GlobalIlluminationPictureRequest request =
+      shareOf(plan.request, loaded.compiled.triangleCount(), share);
   drawn.sample.work = measureWork([&] {
     drawn.picture = renderGlobalIllumination(loaded.scene, plan.lit, plan.camera, request, device,
                                              session.progress(), drawn.report);

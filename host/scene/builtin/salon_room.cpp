@@ -10,7 +10,18 @@ using namespace salon;
 using Textures = SalonTextures;
 constexpr double wallCell = 0.1;
 
-/// Returns the walls, each seen from inside; the back one has the window's opening.
+/// Adds the outsides of the side walls, the front wall and the roof. The back wall's outside is the court's.
+void addOutside(SalonObject& walls) {
+  constexpr double coarse = 0.5;
+  const double low = left - wall, high = right + wall, far = back - wall, near = front + wall;
+  const glm::dvec3 up(0.0, roomHeight + wall, 0.0), deep(0.0, 0.0, near - far), wide(high - low, 0.0, 0.0);
+  walls.addSurface({low, 0.0, far}, deep, up, coarse, Textures::plaster);
+  walls.addSurface({high, 0.0, near}, -deep, up, coarse, Textures::plaster);
+  walls.addSurface({low, 0.0, near}, wide, up, coarse, Textures::plaster);
+  walls.addSurface({low, up.y, far}, deep, wide, coarse, Textures::plaster);
+}
+
+/// Returns the walls: each seen from inside, the back one with the window's opening, and from outside.
 MeshShape makeWalls() {
   SalonObject walls;
   const glm::dvec3 up(0.0, roomHeight, 0.0);
@@ -33,6 +44,7 @@ MeshShape makeWalls() {
   surface({windowLeft, 0.0, back}, through, opening);
   surface({windowRight, 0.0, back - wall}, -through, opening);
   surface({windowLeft, windowHeight, back - wall}, across, -through);
+  addOutside(walls);
   return walls.shape();
 }
 
