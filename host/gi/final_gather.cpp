@@ -173,8 +173,9 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
 }
 
 GatherBlock FinalGather::blockOf(std::size_t first, std::size_t count) {
-  return {first, count,     count * request_.raysPerReceiver, parameters_, receivers_, rayBuffer_,
-          hits_, radiances_};
+  return {first,       count,           count * request_.raysPerReceiver,
+          parameters_, castParameters_, receivers_,
+          rayBuffer_,  hits_,           radiances_};
 }
 
 void FinalGather::gather(std::span<const Receiver> receivers, GatherPattern& pattern, Progress& progress) {
@@ -277,6 +278,23 @@ void GuidedGather::sum(const GatherBlock& block) {
   sum_.launch(block.count, block.parameters, block.radiances, weights_, sums_);
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
   sums_.read(std::span(&irradiance_[block.first].x, 3 * block.count));
+}
+
+BoundedGather::BoundedGather(const FinalGather& gather, std::size_t receivers) : irradiance_(receivers) {
+  DeviceContext& device = gather.device();
+  sums_ = Buffer<float>(device, 6 * std::min<std::size_t>(receivers, gather.receiversAtOnce()));
+  generate_ = {device, "cast/generate_kernels.cl", {}, "generateRays"};
+  sum_ = {device, "gather/bounded_kernels.cl", {}, "sumBounded"};
+}
+
+void BoundedGather::makeRays(const GatherBlock& block) {
+  generate_.launch(block.rayCount / 8, block.cast, block.receivers, block.rays);
+}
+
+void BoundedGather::sum(const GatherBlock& block) {
+  sum_.launch(block.count, block.parameters, mostOfMean, block.radiances, sums_);
+  static_assert(sizeof(BoundedIrradiance) == 6 * sizeof(float));
+  sums_.read(std::span(&irradiance_[block.first].bounded.x, 6 * block.count));
 }
 
 }  // namespace prelight

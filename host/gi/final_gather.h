@@ -48,6 +48,7 @@ struct GatherBlock {
   std::size_t count = 0;     ///< receivers
   std::size_t rayCount = 0;  ///< rays of all these receivers
   const Buffer<device::GatherParameters>& parameters;
+  const Buffer<device::CastParameters>& cast;
   const Buffer<device::Receiver>& receivers;
   Buffer<device::Ray>& rays;        ///< [receiver][ray]
   const Buffer<device::Hit>& hits;  ///< [receiver][ray], first hits, valid during meet()
@@ -183,6 +184,33 @@ class GuidedGather final : public GatherPattern {
          Buffer<float>>
       generate_;
   Kernel<Buffer<device::GatherParameters>, Buffer<float>, Buffer<float>, Buffer<float>> sum_;
+};
+
+/// Irradiance at a receiver, W/m2.
+struct BoundedIrradiance {
+  glm::vec3 bounded{0.0f};  ///< of what each ray brings up to a bound
+  glm::vec3 excess{0.0f};   ///< of what single rays bring beyond it
+};
+
+/// Casts the same rays as FinalGather::gather() and keeps apart what single rays bring beyond `mostOfMean`
+/// times the mean of their receiver's bounded rays. The sum of both is what gather() returns, except for
+/// rounding.
+class BoundedGather final : public GatherPattern {
+ public:
+  static constexpr float mostOfMean = 16.0f;
+
+  BoundedGather(const FinalGather& gather, std::size_t receivers);
+
+  void makeRays(const GatherBlock& block) override;
+  void sum(const GatherBlock& block) override;
+
+  const std::vector<BoundedIrradiance>& irradiance() const { return irradiance_; }  ///< [receiver]
+
+ private:
+  std::vector<BoundedIrradiance> irradiance_;
+  Buffer<float> sums_;
+  Kernel<Buffer<device::CastParameters>, Buffer<device::Receiver>, Buffer<device::Ray>> generate_;
+  Kernel<Buffer<device::GatherParameters>, float, Buffer<float>, Buffer<float>> sum_;
 };
 
 }  // namespace prelight

@@ -95,7 +95,7 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
   light.indirect.values.assign(3 * light.indirect.layout.texelCount(), 0.0f);
   if (indirectRuns) {
     IndirectLight indirect(lit, scene, patches, surface.density, request.indirect, device, sent, progress);
-    setIrradiance(indirect.gather(patches.layout().texels, progress), light.indirect);
+    setIrradiance(indirect.gatherSurface(progress), light.indirect);
     fillBlack(light.indirect);
     light.rays += indirect.rays();
     light.gatheredAt = indirect.records();

@@ -9,6 +9,7 @@
 #include "charts/hidden_light.h"
 #include "gi/final_gather.h"
 #include "gi/irradiance_cache.h"
+#include "gi/spread_excess.h"
 #include "photon/density_estimator.h"
 #include "radiosity/direct_light.h"
 
@@ -206,6 +207,25 @@ std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> p
   std::vector<glm::vec3> irradiance(places.size(), glm::vec3(0.0f));
   for (std::size_t i = 0; i < found.size(); ++i)
     irradiance[i / count] += found[i] / static_cast<float>(count);
+  return irradiance;
+}
+
+std::vector<glm::vec3> IndirectLight::gatherSurface(Progress& progress) {
+  const std::vector<LightMapTexel>& places = patches_.layout().texels;
+  if (request_.gather != GatherChoice::All) return gather(places, progress);
+  const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
+  const std::vector<device::Receiver> receivers =
+      gatherReceivers(compiled_, places, count, rays, gatherSeed());
+  BoundedGather bounded(gather_, receivers.size());
+  gather_.gather(receivers, bounded, progress);
+  records_ = places.size();
+  std::vector<glm::vec3> irradiance(places.size(), glm::vec3(0.0f)), excess = irradiance;
+  const float share = 1.0f / static_cast<float>(count);
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    irradiance[i / count] += share * bounded.irradiance()[i].bounded;
+    excess[i / count] += share * bounded.irradiance()[i].excess;
+  }
+  spreadExcess(patches_.layout(), excess, irradiance);
   return irradiance;
 }
 

@@ -62,6 +62,11 @@ class IndirectLight {
   /// Returns irradiance, W/m2, [place].
   std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);
 
+  /// Returns irradiance, W/m2, [texel of the patches' layout]. What single rays bring far above the others of
+  /// their texel is spread over the texels around (spreadExcess()), unless rays are guided or their results
+  /// interpolated.
+  std::vector<glm::vec3> gatherSurface(Progress& progress);
+
   /// Returns irradiance and incident radiance in SH of an order, [place][channel][value]
   /// (basis/incident_values.h).
   std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress,

@@ -65,7 +65,7 @@ void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool 
   if (!anyDrawnOnly(asked.render.lights)) return;
   const bool baked = viewer::showsBakedLight(shading) && !viewer::infoOf(shading).carriedBy(bake);
   const bool followed =
-      everyShading && (viewer::showsAllLight(shading) || shading == viewer::Shading::Radiosity);
+      everyShading && (viewer::showsAllLight(shading) || viewer::infoOf(shading).traits.followsLamps);
   if (baked || followed)
     throw UsageError(fmt::format("DrawRequest::shading {}", viewer::shadingName(shading)),
                      fmt::format("{} cannot use area lights and cookies",
@@ -79,7 +79,7 @@ void checkAreaLights(const PictureRequest& asked, viewer::Shading shading, bool 
 void checkShadingOptions(DrawingSession& session, const PictureRequest& asked, bool window,
                          const ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
-  const bool dims = window && shading == viewer::Shading::Radiosity && !shaded.bake.lightGroups;
+  const bool dims = window && viewer::infoOf(shading).traits.followsLamps && !shaded.bake.lightGroups;
   if (!asked.render.groups.empty() && !dims && shading != viewer::Shading::Lights)
     session.warn(
         fmt::format("DrawRequest::groups: ignored, because it applies to lights shading, and this is {}",

@@ -36,6 +36,7 @@ struct ShadingTraits {
   bool followsAnimation = false;     ///< it changes with what an animation moves
   bool movableNodes = false;         ///< windows let the user move nodes in it
   bool objectsInCubes = false;       ///< placed objects can be lit by cube maps of what lies around them
+  bool followsLamps = false;         ///< windows solve its light anew for lamps that they dim or move
   bool relitOnDevice = false;        ///< an OpenCL device multiplies its transfer by the light
 };
 

@@ -262,5 +262,40 @@ TEST(GuidedGather, EvenGuides_GiveWhatUnguidedRaysDo) {
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(guided[i].x, plain[i].x, 0.05f * plain[i].x);
 }
 
+/// The square fills so little of the view that one of eight receivers meets it, most with one ray of 64.
+TEST(BoundedGather, SquareThatFewRaysMeet_IsExcessAndTheSumStays) {
+  UnderASquare room;
+  FinalGather gather = room.gatherer(64);
+  const std::vector<device::Receiver> receivers = room.receivers(256, {0.0f, 1.0f, 0.0f}, -3.0f);
+  Progress progress;
+  const std::vector<glm::vec3> whole = gather.gather(receivers, progress);
+  BoundedGather bounded(gather, receivers.size());
+  gather.gather(receivers, bounded, progress);
+  std::size_t meeting = 0;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const BoundedIrradiance& found = bounded.irradiance()[i];
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found.bounded[c] + found.excess[c], whole[i][c], 1e-5f * whole[i][c] + 1e-7f);
+    if (whole[i].x > 0.0f) EXPECT_GT(found.excess.x, 0.5f * whole[i].x);
+    meeting += whole[i].x > 0.0f;
+  }
+  EXPECT_GT(meeting, receivers.size() / 16);
+  EXPECT_LT(meeting, receivers.size() / 4);
+}
+
+/// Under the square every ray brings about as much as the others or nothing.
+TEST(BoundedGather, SquareThatManyRaysMeet_IsNoExcess) {
+  UnderASquare room;
+  FinalGather gather = room.gatherer(64);
+  const std::vector<device::Receiver> receivers = room.receivers(64, {0.0f, 1.0f, 0.0f}, 0.8f);
+  Progress progress;
+  BoundedGather bounded(gather, receivers.size());
+  gather.gather(receivers, bounded, progress);
+  for (const BoundedIrradiance& found : bounded.irradiance()) {
+    EXPECT_GT(found.bounded.x, 0.0f);
+    EXPECT_EQ(found.excess.x, 0.0f);
+  }
+}
+
 }  // namespace
 }  // namespace prelight::test

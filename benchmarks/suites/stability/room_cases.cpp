@@ -47,6 +47,10 @@ void addPatterns(FinalGather& gather, std::span<const device::Receiver> receiver
   gather.gather(receivers, guided, progress);
   for (const glm::vec3& e : guided.irradiance())
     for (int c = 0; c < 3; ++c) differences.add(e[c], truth);
+  BoundedGather bounded(gather, receivers.size());
+  gather.gather(receivers, bounded, progress);
+  for (const BoundedIrradiance& e : bounded.irradiance())
+    for (int c = 0; c < 3; ++c) differences.add(e.bounded[c] + e.excess[c], truth);
 }
 
 void gatherRoom(const char* stress, double half, double albedo, double irradiance, const glm::dvec3& offset,

@@ -9,7 +9,7 @@ extern const ShadingInfo radiosityShading = {
     .bakeOption = "radiosity",
     .bakedName = "radiosity",
     .rules = {Ambient::Transferred, Reflection::Metals, Through::AllLights},
-    .traits = {.bakedLight = true},
+    .traits = {.bakedLight = true, .followsLamps = true},
     .error = {.sky = 0.018f, .outside = 0.035f, .inside = 0.018f},
     .carriedBy = [](const Bake& bake) { return bake.irradiance.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.radiosity.wanted; },
