@@ -9,6 +9,7 @@
 #include "charts/hidden_light.h"
 #include "gi/final_gather.h"
 #include "gi/irradiance_cache.h"
+#include "gi/small_regions.h"
 #include "gi/spread_excess.h"
 #include "photon/density_estimator.h"
 #include "radiosity/direct_light.h"
@@ -163,6 +164,7 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const S
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
       irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device, progress);
+  lessenSmallRegions(compiled_, surface, layout, spacing_, irradiance);
   if (!all) {
     DirectLight direct(compiled_, scene.tracer());
     direct.setLights({lit.lights, lit.sky, lit.skyRotation});

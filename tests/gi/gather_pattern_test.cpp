@@ -276,8 +276,10 @@ TEST(BoundedGather, SquareThatFewRaysMeet_IsExcessAndTheSumStays) {
     const BoundedIrradiance& found = bounded.irradiance()[i];
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(found.bounded[c] + found.excess[c], whole[i][c], 1e-5f * whole[i][c] + 1e-7f);
-    if (whole[i].x > 0.0f) EXPECT_GT(found.excess.x, 0.5f * whole[i].x);
-    meeting += whole[i].x > 0.0f;
+    if (whole[i].x > 0.0f) {
+      EXPECT_GT(found.excess.x, 0.5f * whole[i].x);
+      ++meeting;
+    }
   }
   EXPECT_GT(meeting, receivers.size() / 16);
   EXPECT_LT(meeting, receivers.size() / 4);
