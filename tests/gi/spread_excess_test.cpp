@@ -43,8 +43,11 @@ TEST(SpreadExcess, TexelsOfAnotherChart_GetNothing) {
   std::vector<glm::vec3> excess(layout.texels.size(), glm::vec3(0.0f)), irradiance = excess;
   excess[8 * 16 + 7] = glm::vec3(50.0f);
   spreadExcess(layout, excess, irradiance);
-  for (std::size_t i = 0; i < irradiance.size(); ++i)
-    if (i % 16 >= 8) EXPECT_EQ(irradiance[i].x, 0.0f) << i;
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    if (i % 16 >= 8) {
+      EXPECT_EQ(irradiance[i].x, 0.0f) << i;
+    }
+  }
   EXPECT_NEAR(sumOf(irradiance), 50.0f, 1e-3f);
 }
 
