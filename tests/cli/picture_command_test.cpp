@@ -28,6 +28,21 @@ TEST_F(CliPicture, Render_OfAPlainScene_NeedsNoBake) {
   EXPECT_EQ(readFile("a.png").substr(1, 3), "PNG");
 }
 
+TEST_F(CliPicture, PlainScene_IsDrawnInFullShading) {
+  const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "48x32"});
+  EXPECT_THAT(result.output, HasSubstr("full shading"));
+  prelightDone(
+      {"render", "scene.glb", "-o", "b.exr", "--size", "48x32", "--shading", "full", "--rasterised"});
+  EXPECT_LT(compare("a.exr", "b.exr")["picture"]["max"], 1e-6);
+}
+
+TEST_F(CliPicture, PlainSceneWithoutADevice_IsDrawnInPhongAndSaysSo) {
+  const ProcessOptions bare{.environment = {{"OCL_ICD_VENDORS", "/nonexistent-dir"}}};
+  const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.png", "--size", "48x32"}, bare);
+  EXPECT_THAT(result.output, HasSubstr("phong shading"));
+  EXPECT_THAT(result.errors, HasSubstr("direct light alone is drawn"));
+}
+
 TEST_F(CliPicture, Render_OfWhatTheFileLacks_BakesItAndSaysSo) {
   const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "48x32",
                                              "--shading", "sh", "--sh", "2", "--rays", "16"});
