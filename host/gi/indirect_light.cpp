@@ -90,15 +90,6 @@ std::uint64_t addDirect(DirectLight& light, const CompiledScene& compiled,
   return rays;
 }
 
-/// Returns the approximate distance of neighbouring texels, m.
-double texelSpacing(const CompiledScene& compiled, const LightMapLayout& layout) {
-  double area = 0.0;
-  for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face)
-    if (layout.chartOf[face] != LightMapLayout::noChart)
-      area += 0.5 * glm::length(geometricNormal(compiled, face % compiled.triangleCount()));
-  return std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, layout.texels.size())));
-}
-
 /// Returns values of a layout's texels on its grid, [y][x]; 0 where there is none.
 std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
   LightMap map;
@@ -164,7 +155,8 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const S
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
       irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device, progress);
-  lessenSmallRegions(compiled_, surface, layout, spacing_, irradiance);
+  const std::vector<float> shares = sharesOfRegions(compiled_, surface, layout);
+  for (std::size_t i = 0; i < irradiance.size(); ++i) irradiance[i] *= shares[i];
   if (!all) {
     DirectLight direct(compiled_, scene.tracer());
     direct.setLights({lit.lights, lit.sky, lit.skyRotation});
@@ -214,7 +206,7 @@ std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> p
 
 std::vector<glm::vec3> IndirectLight::gatherSurface(Progress& progress) {
   const std::vector<LightMapTexel>& places = patches_.layout().texels;
-  if (request_.gather != GatherChoice::All) return gather(places, progress);
+  if (request_.gather != GatherChoice::All || !request_.spreadsExcess) return gather(places, progress);
   const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
   const std::vector<device::Receiver> receivers =
       gatherReceivers(compiled_, places, count, rays, gatherSeed());

@@ -33,6 +33,7 @@ struct IndirectRequest {
   bool directByPhotons = false;
   GatherChoice gather = GatherChoice::All;
   double cacheError = IrradianceCacheOptions{}.error;  ///< error of the cache
+  bool spreadsExcess = true;                           ///< of gatherSurface()
   std::uint64_t gatherSeed = 0;  ///< selects other rays for the same photons and approximation
 };
 
@@ -62,9 +63,9 @@ class IndirectLight {
   /// Returns irradiance, W/m2, [place].
   std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);
 
-  /// Returns irradiance, W/m2, [texel of the patches' layout]. What single rays bring far above the others of
-  /// their texel is spread over the texels around (spreadExcess()), unless rays are guided or their results
-  /// interpolated.
+  /// Returns irradiance, W/m2, [texel of the patches' layout]. If the request says so, what single rays bring
+  /// far above the others of their texel is spread over the texels around (spreadExcess()), unless rays are
+  /// guided or their results interpolated.
   std::vector<glm::vec3> gatherSurface(Progress& progress);
 
   /// Returns irradiance and incident radiance in SH of an order, [place][channel][value]

@@ -1,34 +1,57 @@
 #include "gi/small_regions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include "scene/surface/triangles.h"
 
 namespace prelight {
+namespace {
 
-void lessenSmallRegions(const CompiledScene& scene, const DensitySurface& surface,
-                        const LightMapLayout& layout, double spacing, std::span<glm::vec3> irradiance) {
-  constexpr double rounding = 0.99;  // of areas that are the same
-  std::vector<double> regions(surface.regionCount(), 0.0), charts;
-  const auto regionOf = [&](std::uint32_t triangle) {
-    return surface.places[triangle].region & ~PRELIGHT_PLANAR_REGION;
-  };
+double areaOf(const CompiledScene& scene, std::uint32_t face) {
+  return 0.5 * glm::length(geometricNormal(scene, face % scene.triangleCount()));
+}
+
+/// Returns the areas of charts, m2, [chart].
+std::vector<double> chartAreas(const CompiledScene& scene, const LightMapLayout& layout) {
+  std::vector<double> areas;
   for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face) {
-    const std::uint32_t triangle = face % scene.triangleCount(), chart = layout.chartOf[face];
-    const double area = 0.5 * glm::length(geometricNormal(scene, triangle));
-    if (face == triangle) regions[regionOf(triangle)] += area;
+    const std::uint32_t chart = layout.chartOf[face];
     if (chart == LightMapLayout::noChart) continue;
-    charts.resize(std::max<std::size_t>(charts.size(), chart + 1), 0.0);
-    charts[chart] += area;
+    areas.resize(std::max<std::size_t>(areas.size(), chart + 1), 0.0);
+    areas[chart] += areaOf(scene, face);
   }
-  for (std::size_t i = 0; i < irradiance.size(); ++i) {
-    const std::uint32_t face = layout.texels[i].face;
-    const double covered = std::min(spacing * spacing, charts[layout.chartOf[face]]),
-                 region = regions[regionOf(face % scene.triangleCount())];
-    if (region < rounding * covered) irradiance[i] *= static_cast<float>(region / covered);
+  return areas;
+}
+
+}  // namespace
+
+std::vector<float> sharesOfRegions(const CompiledScene& scene, const DensitySurface& surface,
+                                   const LightMapLayout& layout) {
+  constexpr double rounding = 0.99;  // of areas that are the same
+  const auto regionOf = [&](std::uint32_t face) {
+    return surface.places[face % scene.triangleCount()].region & ~PRELIGHT_PLANAR_REGION;
+  };
+  std::vector<double> regions(surface.regionCount(), 0.0);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) regions[regionOf(t)] += areaOf(scene, t);
+  const std::vector<double> charts = chartAreas(scene, layout);
+  const double spacing = texelSpacing(scene, layout);
+  std::vector<float> shares;
+  shares.reserve(layout.texels.size());
+  for (const LightMapTexel& texel : layout.texels) {
+    const double covered = std::min(spacing * spacing, charts[layout.chartOf[texel.face]]),
+                 region = regions[regionOf(texel.face)];
+    shares.push_back(region < rounding * covered ? static_cast<float>(region / covered) : 1.0f);
   }
+  return shares;
+}
+
+double texelSpacing(const CompiledScene& scene, const LightMapLayout& layout) {
+  double area = 0.0;
+  for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face)
+    if (layout.chartOf[face] != LightMapLayout::noChart) area += areaOf(scene, face);
+  return std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, layout.texels.size())));
 }
 
 }  // namespace prelight

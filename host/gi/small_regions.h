@@ -1,7 +1,6 @@
 #pragma once
 
-#include <glm/glm.hpp>
-#include <span>
+#include <vector>
 
 #include "photon/density_surface.h"
 #include "prelight/compiled_scene.h"
@@ -9,11 +8,14 @@
 
 namespace prelight {
 
-/// Lessens irradiance from photon densities, [texel of the layout] W/m2, at texels that stand for more
-/// surface than the region whose photons they count: the photons of such a region light a part of the texel
-/// alone, and few as they are, their density may be that of a lamp's surface. `spacing`: distance of
-/// neighbouring texels, m.
-void lessenSmallRegions(const CompiledScene& scene, const DensitySurface& surface,
-                        const LightMapLayout& layout, double spacing, std::span<glm::vec3> irradiance);
+/// Returns the share by which the density of photons at each texel of a layout counts, [texel of the layout]:
+/// 1, but less where a texel stands for more surface than the region whose photons it counts. The photons of
+/// such a region light a part of the texel alone, and few as they are, their density may be that of a lamp's
+/// surface.
+std::vector<float> sharesOfRegions(const CompiledScene& scene, const DensitySurface& surface,
+                                   const LightMapLayout& layout);
+
+/// Returns the approximate distance of neighbouring texels, m.
+double texelSpacing(const CompiledScene& scene, const LightMapLayout& layout);
 
 }  // namespace prelight

@@ -67,6 +67,7 @@ GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const Pictur
   request.indirect.rays = asked.full.indirect.rays;
   request.indirect.seed = asked.bake.request.seed;
   request.indirect.directByPhotons = true;  // as in the frames that follow, see LiveLight
+  request.indirect.spreadsExcess = false;
   request.causticPhotons = sized.photonsOfCaustics();
   GlobalIllumination light = session.measure("light", [&] {
     return computeGlobalIllumination(shaded.loaded.scene, lit, request,

@@ -131,8 +131,10 @@ TEST_F(CliStudio, LightOfTheOptions_LeavesTheStudioOut) {
         prelightDone({"render", "plain.glb", "-o", "a.png", "--size", "48x32", "--light", light});
     EXPECT_THAT(told.errors, Not(HasSubstr("studio"))) << light;
   }
-  prelightDone({"render", "plain.glb", "-o", "a.exr", "--size", "48x32", "--light", "none"});
-  prelightDone({"render", "plain.glb", "-o", "b.exr", "--size", "48x32", "--env", "neutral"});
+  prelightDone(
+      {"render", "plain.glb", "-o", "a.exr", "--size", "48x32", "--light", "none", "--shading", "phong"});
+  prelightDone(
+      {"render", "plain.glb", "-o", "b.exr", "--size", "48x32", "--env", "neutral", "--shading", "phong"});
   EXPECT_LT(compare("a.exr", "b.exr")["max"].get<double>(), 1e-5);
 }
 

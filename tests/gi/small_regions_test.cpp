@@ -24,29 +24,32 @@ struct TwoSquares {
     layout.texels = {{0, 0, 0.3f, 0.3f, true}, {3, 2, 0.3f, 0.3f, true}};
   }
 
-  std::vector<glm::vec3> lessened(double spacing) const {
-    std::vector<glm::vec3> irradiance(2, glm::vec3(100.0f));
-    lessenSmallRegions(scene, makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle)), layout,
-                       spacing, irradiance);
-    return irradiance;
+  std::vector<float> shares() const {
+    return sharesOfRegions(scene, makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle)),
+                           layout);
   }
 
   CompiledScene scene;
   LightMapLayout layout;
 };
 
+/// Each of the two texels stands for half of 64.04 m2.
 TEST(SmallRegions, RegionWithinATexelOfItsChart_CountsByItsShare) {
-  const std::vector<glm::vec3> found = TwoSquares().lessened(1.0);
-  EXPECT_EQ(found[0], glm::vec3(100.0f));
-  EXPECT_NEAR(found[1].x, 4.0f, 1e-3f);
+  const std::vector<float> shares = TwoSquares().shares();
+  EXPECT_EQ(shares[0], 1.0f);
+  EXPECT_NEAR(shares[1], 0.04f / 32.02f, 1e-6f);
 }
 
-TEST(SmallRegions, RegionOfManyTexels_Stays) { EXPECT_EQ(TwoSquares().lessened(0.05)[1], glm::vec3(100.0f)); }
+TEST(SmallRegions, RegionOfManyTexels_CountsWhole) {
+  TwoSquares squares;
+  for (std::uint32_t i = 0; i < 2000; ++i) squares.layout.texels.push_back({1, 0, 0.3f, 0.3f, true});
+  EXPECT_EQ(squares.shares()[1], 1.0f);
+}
 
-TEST(SmallRegions, RegionThatIsAChart_Stays) {
+TEST(SmallRegions, RegionThatIsAChart_CountsWhole) {
   TwoSquares squares;
   squares.layout.chartOf[2] = squares.layout.chartOf[3] = 1;
-  EXPECT_EQ(squares.lessened(1.0)[1], glm::vec3(100.0f));
+  EXPECT_EQ(squares.shares()[1], 1.0f);
 }
 
 }  // namespace

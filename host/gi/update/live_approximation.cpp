@@ -1,4 +1,5 @@
 #include "gi/update/live_approximation.h"
+#include "gi/small_regions.h"
 
 #include <algorithm>
 
@@ -36,6 +37,7 @@ LiveApproximation::LiveApproximation(const CompiledScene& scene, Tracer& tracer,
       patchOf_(patches_.at(places_)),
       values_(layout.texels.size(), glm::vec3(0.0f)),
       grid_(layout.texelCount(), glm::vec3(0.0f)),
+      shares_(sharesOfRegions(scene, surface_, layout)),
       map_(device.context(), layout) {
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
     const std::uint32_t triangle = triangleOf(scene, places_[i]);
@@ -156,8 +158,9 @@ std::vector<double> LiveApproximation::estimate(std::span<const std::uint32_t> p
   const std::vector<glm::vec3> found = estimator_.estimate(densityQueries(scene_, texels, radius_, patches));
   std::vector<double> changes;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    changes.push_back(luminance(glm::abs(glm::dvec3(found[i]) - glm::dvec3(values_[places[i]]))));
-    values_[places[i]] = grid_[texels[i].texel] = found[i];
+    const glm::vec3 irradiance = shares_[places[i]] * found[i];
+    changes.push_back(luminance(glm::abs(glm::dvec3(irradiance) - glm::dvec3(values_[places[i]]))));
+    values_[places[i]] = grid_[texels[i].texel] = irradiance;
   }
   map_.set(grid_);
   return changes;

@@ -74,6 +74,7 @@ class LiveApproximation {
   std::vector<std::uint32_t> patchOf_;  ///< [place]
   bool photonsAreOld_ = true;           ///< whether photons have come or gone since the estimator got them
   std::vector<glm::vec3> values_, grid_;
+  std::vector<float> shares_;  ///< [place], sharesOfRegions()
   IrradianceMap map_;
 };
 
