@@ -7,10 +7,10 @@
 #include "base/colour.h"
 #include "base/kept_work.h"
 #include "charts/hidden_light.h"
+#include "charts/small_regions.h"
+#include "charts/spread_excess.h"
 #include "gi/final_gather.h"
 #include "gi/irradiance_cache.h"
-#include "gi/small_regions.h"
-#include "gi/spread_excess.h"
 #include "photon/density_estimator.h"
 #include "radiosity/direct_light.h"
 
@@ -90,6 +90,15 @@ std::uint64_t addDirect(DirectLight& light, const CompiledScene& compiled,
   return rays;
 }
 
+/// Returns the regions of triangles, [triangle].
+std::vector<std::uint32_t> regionsOf(const DensitySurface& surface) {
+  std::vector<std::uint32_t> regions;
+  regions.reserve(surface.places.size());
+  for (const device::SurfacePlace& place : surface.places)
+    regions.push_back(place.region & ~PRELIGHT_PLANAR_REGION);
+  return regions;
+}
+
 /// Returns values of a layout's texels on its grid, [y][x]; 0 where there is none.
 std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
   LightMap map;
@@ -155,7 +164,7 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const S
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
       irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device, progress);
-  const std::vector<float> shares = sharesOfRegions(compiled_, surface, layout);
+  const std::vector<float> shares = sharesOfRegions(compiled_, regionsOf(surface), layout);
   for (std::size_t i = 0; i < irradiance.size(); ++i) irradiance[i] *= shares[i];
   if (!all) {
     DirectLight direct(compiled_, scene.tracer());

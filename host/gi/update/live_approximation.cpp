@@ -1,5 +1,5 @@
 #include "gi/update/live_approximation.h"
-#include "gi/small_regions.h"
+#include "charts/small_regions.h"
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ LiveApproximation::LiveApproximation(const CompiledScene& scene, Tracer& tracer,
       patchOf_(patches_.at(places_)),
       values_(layout.texels.size(), glm::vec3(0.0f)),
       grid_(layout.texelCount(), glm::vec3(0.0f)),
-      shares_(sharesOfRegions(scene, surface_, layout)),
+      shares_(sharesOfRegions(scene, regions.regionOf, layout)),
       map_(device.context(), layout) {
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
     const std::uint32_t triangle = triangleOf(scene, places_[i]);

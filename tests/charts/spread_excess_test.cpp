@@ -1,4 +1,4 @@
-#include "gi/spread_excess.h"
+#include "charts/spread_excess.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gi/small_regions.h"
+#include "charts/small_regions.h"
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,7 @@ struct TwoSquares {
   }
 
   std::vector<float> shares() const {
-    return sharesOfRegions(scene, makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle)),
-                           layout);
+    return sharesOfRegions(scene, makeSurfaceRegions(scene, usualCreaseAngle).regionOf, layout);
   }
 
   CompiledScene scene;

@@ -1,4 +1,4 @@
-#include "gi/small_regions.h"
+#include "charts/small_regions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,21 +27,18 @@ std::vector<double> chartAreas(const CompiledScene& scene, const LightMapLayout&
 
 }  // namespace
 
-std::vector<float> sharesOfRegions(const CompiledScene& scene, const DensitySurface& surface,
+std::vector<float> sharesOfRegions(const CompiledScene& scene, std::span<const std::uint32_t> regionOf,
                                    const LightMapLayout& layout) {
   constexpr double rounding = 0.99;  // of areas that are the same
-  const auto regionOf = [&](std::uint32_t face) {
-    return surface.places[face % scene.triangleCount()].region & ~PRELIGHT_PLANAR_REGION;
-  };
-  std::vector<double> regions(surface.regionCount(), 0.0);
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) regions[regionOf(t)] += areaOf(scene, t);
+  std::vector<double> regions(1 + std::ranges::max(regionOf), 0.0);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) regions[regionOf[t]] += areaOf(scene, t);
   const std::vector<double> charts = chartAreas(scene, layout);
   const double spacing = texelSpacing(scene, layout);
   std::vector<float> shares;
   shares.reserve(layout.texels.size());
   for (const LightMapTexel& texel : layout.texels) {
     const double covered = std::min(spacing * spacing, charts[layout.chartOf[texel.face]]),
-                 region = regions[regionOf(texel.face)];
+                 region = regions[regionOf[texel.face % scene.triangleCount()]];
     shares.push_back(region < rounding * covered ? static_cast<float>(region / covered) : 1.0f);
   }
   return shares;
