@@ -1,5 +1,5 @@
 #include "gi/update/live_approximation.h"
-#include "charts/small_regions.h"
+#include "charts/irradiance/small_regions.h"
 
 #include <algorithm>
 

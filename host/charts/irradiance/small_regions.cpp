@@ -1,4 +1,4 @@
-#include "charts/small_regions.h"
+#include "charts/irradiance/small_regions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "charts/spread_excess.h"
+#include "charts/irradiance/spread_excess.h"
 
 #include <algorithm>
 #include <cstdint>
