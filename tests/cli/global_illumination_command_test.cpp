@@ -11,9 +11,9 @@ using ::testing::HasSubstr;
 
 class CliGlobalIllumination : public CliTest {
  protected:
-  nlohmann::json render(std::vector<std::string> arguments) const {
+  nlohmann::json render(std::vector<std::string> arguments, const char* photons = "2000") const {
     arguments.insert(arguments.begin(), "render");
-    for (const char* more : {"--shading", "full", "--size", "24x24", "--spp", "4", "--photons", "2000",
+    for (const char* more : {"--shading", "full", "--size", "24x24", "--spp", "4", "--photons", photons,
                              "--map-texels", "512", "--json"})
       arguments.emplace_back(more);
     return nlohmann::json::parse(prelightDone(arguments).output);
@@ -124,8 +124,8 @@ TEST_F(CliGlobalIllumination, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritte
 
 TEST_F(CliGlobalIllumination, Rasterised_IsCloseToTheTracedPictureAndHasTheSamePlan) {
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
-  render({"shapes.glb", "-o", "a.exr"});
-  const nlohmann::json drawn = render({"shapes.glb", "-o", "b.exr", "--rasterised"});
+  render({"shapes.glb", "-o", "a.exr"}, "20000");
+  const nlohmann::json drawn = render({"shapes.glb", "-o", "b.exr", "--rasterised"}, "20000");
   EXPECT_EQ(drawn["shading"], "full");
   EXPECT_FALSE(passOf(drawn, "caustic photons")["runs"]);
   const nlohmann::json picture = compare("a.exr", "b.exr")["picture"];
