@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -21,6 +22,8 @@ namespace prelight::pictures {
 /// its own way, names the device, and is told what was decided.
 class DrawingSession {
  public:
+  /// `device`: the caller's, which outlives the session; nullptr: one is opened when it is needed.
+  explicit DrawingSession(const Device* device = nullptr) : device_(device, [](const Device*) {}) {}
   virtual ~DrawingSession() = default;
 
   /// Tells of something that was decided without being asked for.
@@ -48,10 +51,12 @@ class DrawingSession {
 
   virtual DeviceOptions deviceOptions() = 0;
 
-  /// Opens a device of options of deviceOptions(), or returns the one that the caller has. It may be called
-  /// from another thread.
-  virtual std::shared_ptr<const Device> openDevice(const DeviceOptions& options) {
-    return std::make_shared<const Device>(Device::open(options));
+  /// Opens a device of options of deviceOptions(), or returns the one that the caller has or that was opened
+  /// before. It may be called from another thread.
+  std::shared_ptr<const Device> openDevice(const DeviceOptions& options) {
+    const std::lock_guard lock(opening_);
+    if (device_ == nullptr) device_ = std::make_shared<const Device>(Device::open(options));
+    return device_;
   }
 
   /// The device's options with those of kernels that a bake is asked for with.
@@ -76,6 +81,9 @@ class DrawingSession {
 
  private:
   virtual void runStage(const char* stage, const std::function<void()>& work) = 0;
+
+  std::mutex opening_;
+  std::shared_ptr<const Device> device_;  ///< nullptr until it is needed
 };
 
 /// Throws InputError for a scene without triangles to bake.

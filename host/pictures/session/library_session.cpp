@@ -7,8 +7,7 @@
 namespace prelight::pictures {
 
 LibrarySession::LibrarySession(const DrawOptions& options)
-    : progress_(options.progress != nullptr ? options.progress : &ignored_),
-      device_(options.device, [](const Device*) {}) {}
+    : DrawingSession(options.device), progress_(options.progress != nullptr ? options.progress : &ignored_) {}
 
 LoadedScene LibrarySession::load(const std::filesystem::path& path, const LoadOptions& options) {
   Steps steps(*progress_);
@@ -34,12 +33,6 @@ RefinedScene LibrarySession::refine(LoadedScene loaded, const RefineRequest& req
   const std::shared_ptr<const Device> device = openDevice(deviceOptions);
   return refineScene(
       std::move(loaded), request, [&]() -> const Device& { return *device; }, steps);
-}
-
-std::shared_ptr<const Device> LibrarySession::openDevice(const DeviceOptions& options) {
-  const std::lock_guard lock(opening_);
-  if (device_ == nullptr) device_ = DrawingSession::openDevice(options);
-  return device_;
 }
 
 void LibrarySession::runStage(const char* stage, const std::function<void()>& work) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,7 +25,6 @@ class LibrarySession final : public DrawingSession {
                       const DeviceOptions& deviceOptions) override;
   DeviceOptions deviceOptions() override { return {.progress = progress_}; }
   using DrawingSession::deviceOptions;
-  std::shared_ptr<const Device> openDevice(const DeviceOptions& options) override;
 
   std::vector<std::string> takeNotes() { return std::move(notes_); }
   Warnings takeWarnings() { return std::move(warnings_); }
@@ -37,8 +34,6 @@ class LibrarySession final : public DrawingSession {
 
   Progress ignored_;
   Progress* progress_;
-  std::mutex opening_;
-  std::shared_ptr<const Device> device_;  ///< nullptr until it is needed
   std::vector<std::string> notes_;
   Warnings warnings_;
 };
