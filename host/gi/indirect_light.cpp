@@ -28,6 +28,11 @@ std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
 }
 
+/// A place has several receivers where it has more rays than a receiver may have.
+std::uint32_t receiversPerPlace(const IndirectRequest& request) {
+  return std::max(1u, request.rays / raysPerReceiver(request));
+}
+
 // Queries between two checks whether to stop.
 constexpr std::size_t leastQueries = 1u << 10, mostQueries = 1u << 18;
 
@@ -184,6 +189,11 @@ std::uint64_t IndirectLight::gatherSeed() const {
   return request_.seed + request_.gatherSeed * 0x9e3779b97f4a7c15u;
 }
 
+std::vector<device::Receiver> IndirectLight::receiversAt(std::span<const LightMapTexel> places) const {
+  return gatherReceivers(compiled_, places, receiversPerPlace(request_), raysPerReceiver(request_),
+                         gatherSeed());
+}
+
 std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> places, Progress& progress) {
   return request_.gather == GatherChoice::Cache ? gatherSome(places, progress) : gatherAll(places, progress);
 }
@@ -200,9 +210,8 @@ std::vector<glm::vec3> IndirectLight::gatherSome(std::span<const LightMapTexel> 
 }
 
 std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> places, Progress& progress) {
-  const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
-  const std::vector<device::Receiver> receivers =
-      gatherReceivers(compiled_, places, count, rays, gatherSeed());
+  const std::vector<device::Receiver> receivers = receiversAt(places);
+  const std::uint32_t count = receiversPerPlace(request_);
   const std::vector<glm::vec3> found =
       guide_ ? gatherGuided(places, receivers, progress) : gather_.gather(receivers, progress);
   records_ = places.size();
@@ -216,9 +225,8 @@ std::vector<glm::vec3> IndirectLight::gatherAll(std::span<const LightMapTexel> p
 std::vector<glm::vec3> IndirectLight::gatherSurface(Progress& progress) {
   const std::vector<LightMapTexel>& places = patches_.layout().texels;
   if (request_.gather != GatherChoice::All || !request_.spreadsExcess) return gather(places, progress);
-  const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
-  const std::vector<device::Receiver> receivers =
-      gatherReceivers(compiled_, places, count, rays, gatherSeed());
+  const std::vector<device::Receiver> receivers = receiversAt(places);
+  const std::uint32_t count = receiversPerPlace(request_);
   BoundedGather bounded(gather_, receivers.size());
   gather_.gather(receivers, bounded, progress);
   records_ = places.size();
@@ -248,9 +256,8 @@ std::vector<glm::vec3> IndirectLight::gatherGuided(std::span<const LightMapTexel
 std::vector<float> IndirectLight::gatherIncident(std::span<const LightMapTexel> places, Progress& progress,
                                                  int order) {
   const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
-  const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
-  const std::vector<float> found =
-      gather_.gatherIncident(gatherReceivers(compiled_, places, count, rays, gatherSeed()), progress, order);
+  const std::uint32_t count = receiversPerPlace(request_);
+  const std::vector<float> found = gather_.gatherIncident(receiversAt(places), progress, order);
   std::vector<float> incident(length * places.size(), 0.0f);
   for (std::size_t i = 0; i < found.size(); ++i)
     incident[i / (length * count) * length + i % length] += found[i] / static_cast<float>(count);

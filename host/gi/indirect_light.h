@@ -79,6 +79,7 @@ class IndirectLight {
 
  private:
   std::uint64_t gatherSeed() const;
+  std::vector<device::Receiver> receiversAt(std::span<const LightMapTexel> places) const;
   std::vector<glm::vec3> gatherAll(std::span<const LightMapTexel> places, Progress& progress);
   std::vector<glm::vec3> gatherSome(std::span<const LightMapTexel> places, Progress& progress);
   std::vector<glm::vec3> gatherGuided(std::span<const LightMapTexel> places,

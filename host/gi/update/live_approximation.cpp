@@ -1,9 +1,9 @@
 #include "gi/update/live_approximation.h"
-#include "charts/irradiance/small_regions.h"
 
 #include <algorithm>
 
 #include "base/colour.h"
+#include "charts/irradiance/small_regions.h"
 #include "gi/indirect_light.h"
 #include "receivers/surface_sampler.h"
 
