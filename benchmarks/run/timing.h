@@ -35,7 +35,6 @@ double leastSeconds(const std::vector<double>& rounds, std::size_t parts);
 
 /// A clock: returns seconds since some moment.
 using SecondsSource = std::function<double()>;
-using prelight::steadySeconds;
 
 /// A moment by which work should end.
 class Deadline {

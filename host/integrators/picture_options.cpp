@@ -65,7 +65,8 @@ constexpr auto fullRows = std::to_array<Option<Full>>({
         whole(1, 1 << 24),
         {.field = "GlobalIlluminationPictureRequest::texels",
          .name = "map-texels",
-         .help = "approximate number of texels in the map of indirect light (default: by the size of the picture and of the scene)",
+         .help = "approximate number of texels in the map of indirect light (default: by the size of the "
+                 "picture and of the scene)",
          .shadings = full}),
     FullRow::choice<&Full::indirect, &IndirectRequest::gather>(gatherChoices,
                                                                {.field = "IndirectRequest::gather",

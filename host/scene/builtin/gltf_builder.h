@@ -38,7 +38,7 @@ class GltfBuilder {
 
   /// Adds images as textures, which several materials may share.
   MapIndices addMaps(const Image& albedo, const Image& roughness, const Image& normals);
-  /// As addPlain, with textures that multiply base colour and roughness.
+  /// Adds a plain material whose base colour and roughness textures multiply.
   int addMapped(const PlainMaterial& material, const MapIndices& maps);
   /// Gives a material fibres that scatter light, as on cloth.
   void addSheen(int material, const glm::vec3& color, float roughness);

@@ -158,6 +158,14 @@ void addTree(MeshShape& wood, MeshShape& leaves, const glm::dvec3& foot, double 
                         .seed = seed + 60});
 }
 
+/// Adds a pot of a radius and a height at a place, and leaves above it: their centre counts from there.
+void addPotted(SalonObject& pots, MeshShape& leaves, const glm::dvec2& pot, const glm::dvec3& at,
+               LeafCloud crown) {
+  pots.add(makePot(pot.x, pot.y), 1.0, at);
+  crown.centre += at;
+  addLeafCloud(leaves, crown);
+}
+
 void addPlants(GltfBuilder& builder, const SalonMaterials& m) {
   MeshShape wood, olive, hedge, ivy;
   SalonObject pots, earth;
@@ -172,22 +180,21 @@ void addPlants(GltfBuilder& builder, const SalonMaterials& m) {
                        .seed = 9});
   for (const double x : {-1.0, 1.0}) {
     const glm::dvec3 at(0.5 * (archLeft + archRight) + 1.5 * x, courtLevel, courtBack + 1.0);
-    pots.add(makePot(0.27, 0.46), 1.0, at);
-    addLeafCloud(hedge, {.centre = at + glm::dvec3(0.0, 0.78, 0.0),
-                         .radius = glm::dvec3(0.36, 0.38, 0.36),
-                         .hollow = 0.75,
-                         .size = 0.07,
-                         .count = 700,
-                         .seed = 40 + static_cast<std::uint32_t>(x + 1.0)});
+    addPotted(pots, hedge, {0.27, 0.46}, at,
+              {.centre = {0.0, 0.78, 0.0},
+               .radius = {0.36, 0.38, 0.36},
+               .hollow = 0.75,
+               .size = 0.07,
+               .count = 700,
+               .seed = 40 + static_cast<std::uint32_t>(x + 1.0)});
   }
-  const glm::dvec3 byTheWindow(0.95, courtLevel, -4.1);
-  pots.add(makePot(0.21, 0.36), 1.0, byTheWindow);
-  addLeafCloud(olive, {.centre = byTheWindow + glm::dvec3(0.0, 0.6, 0.0),
-                       .radius = glm::dvec3(0.34, 0.36, 0.34),
-                       .hollow = 0.2,
-                       .size = 0.1,
-                       .count = 420,
-                       .seed = 50});
+  addPotted(pots, olive, {0.21, 0.36}, {0.95, courtLevel, -4.1},
+            {.centre = {0.0, 0.6, 0.0},
+             .radius = {0.34, 0.36, 0.34},
+             .hollow = 0.2,
+             .size = 0.1,
+             .count = 420,
+             .seed = 50});
   for (int i = 0; i < 1700; ++i) {  // ivy on the left wall
     const auto random = [&](int k) { return static_cast<double>(hashed(i, k, 88)); };
     const double z = -7.9 + 2.7 * random(0), crest = 1.9 + 1.3 * std::sin(1.7 * z) + 0.5 * std::sin(5.0 * z);

@@ -9,7 +9,7 @@
 
 namespace prelight {
 
-/// What a surface is like at a point of its texture.
+/// A surface at a point of its texture.
 struct SurfacePoint {
   glm::vec3 albedo{0.5f};  ///< linear RGB, 0..1
   float roughness = 1.0f;  ///< 0..1
