@@ -31,6 +31,8 @@ using Suites = std::vector<std::unique_ptr<Suite>>;
 constexpr std::uint64_t maxTruthSamples = 1u << 20;
 constexpr double leastSeconds = 1.0, mostSeconds = 1e7;
 constexpr std::uint64_t maxPhotons = 0xf0000000u;
+constexpr const char* measuredBefore =
+    "interrupted; the output files hold everything that was measured before";
 
 struct BenchCommand {
   std::string suite;  ///< or a part of one; empty: all
@@ -208,19 +210,19 @@ void runBench(const BenchCommand& command, Context& context) {
   const Device device = Device::open(session.deviceOptions());
   if (!command.plots.empty()) makeOutputFolder("--plot", command.plots);
   if (!command.truths.empty()) makeOutputFolder("--truths", command.truths);
+  const StopSignals::SafePoints safePoints(context.signals);  // suites write files of their own
+  BenchReport report(command.json, parts, options, device.info());
+  context.signals.setParting(fmt::format("prelight: {}", measuredBefore));
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
   session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);
   warnOfMissingPython(command, parts, session);
-  const StopSignals::SafePoints safePoints(context.signals);  // suites write files of their own
-  BenchReport report(command.json, parts, options, device.info());
   std::exception_ptr stopped;
   std::vector<std::string> broken;
   try {
     broken = measure(parts, device, session, report);
   } catch (const Interrupted&) {
-    stopped = std::make_exception_ptr(
-        Interrupted("interrupted; the output files hold everything that was measured before"));
+    stopped = std::make_exception_ptr(Interrupted(measuredBefore));
   }
   if (!command.json.empty()) session.console().line("wrote", command.json.string());
   if (!command.plots.empty()) writeCharts(command.plots, report, session.console());
