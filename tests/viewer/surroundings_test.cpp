@@ -413,22 +413,50 @@ TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
   EXPECT_TRUE(renderer.plan(view)[1].runs);
 }
 
-TEST(Surroundings, MoreMirrorsThanMaps_ShowTheSkyAndANoteSaysSo) {
-  QuadScene quad;
-  for (int i = 0; i < viewer::Surroundings::mostNodes + 2; ++i)
-    quad.add(mirror(), 0.1f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.3 * i, 0, 0)));
-  quad.lookFrom({0, 0, 3}, {0, 0, 0});
-  quad.compile();
-  GlobalIllumination globalIllumination;
-  globalIllumination.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, {});
-  globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
-  viewer::RenderInputs inputs = quad.inputs();
-  inputs.globalIllumination = &globalIllumination;
+/// What a picture of a scene shows at a place.
+glm::vec3 shownAt(const Ball& scene, const Picture& picture, const glm::dvec3& place) {
+  const viewer::CameraMatrices camera =
+      viewer::cameraMatrices(scene.quad.scene.cameras[0], scene.quad.compiled, 1.0);
+  const glm::dvec4 clip = camera.projection * camera.view * glm::dvec4(place, 1.0);
+  const auto pixel = [](double c) { return static_cast<std::size_t>(0.5 * size * (1.0 + c)); };
+  return glm::vec3(picture.pixels[size * pixel(-clip.y / clip.w) + pixel(clip.x / clip.w)]);
+}
+
+/// A room with as many mirrors below as have maps.
+Ball roomOfMaps() {
+  Ball room(mirror(), glm::vec3(0, -1.2f, 0), Ball::Around::Room);
+  for (int i = 1; i < viewer::Surroundings::mostNodes; ++i)
+    room.quad.add(mirror(), 0.3f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.05 * i, -1.5, 0.5)));
+  return room;
+}
+
+TEST(Surroundings, MoreMirrorsThanMaps_ShowWhatTheNearestSeesAndANoteSaysSo) {
+  Ball room = roomOfMaps();
+  for (const double x : {-0.3, 0.3})
+    room.quad.add(mirror(), 0.1f, glm::translate(glm::dmat4(1.0), glm::dvec3(x, 0.3, 0)));
+  room.compile();
   Warnings notes;
-  viewer::renderPicture(inputs, square(Shading::GlobalIllumination, 16), notes);
-  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.starts_with("2 of the nodes that mirror");
+  const Picture picture = viewer::renderPicture(room.inputs(), square(room.shading, size), notes);
+  EXPECT_TRUE(std::ranges::any_of(notes, [](const std::string& note) {
+    return note.starts_with("2 of the nodes that mirror or are glass are small and show what the nearest");
   }));
+  // They face the eye and the wall behind it.
+  for (const double x : {-0.3, 0.3})
+    EXPECT_LT(glm::distance(shownAt(room, picture, {x, 0.3, 0.0}), walls[5]), 0.05f) << x;
+}
+
+TEST(Surroundings, SmallGlassWithoutAMap_IsSeenThrough) {
+  Ball room = roomOfMaps();
+  Material glass;
+  glass.metallic = glass.roughness = 0.0f;
+  glass.transmission = 1.0f;
+  glass.thickness = 0.1f;
+  const glm::dvec3 place(0.0, 0.3, 0.0);
+  room.quad.add(glass, 0.1f, glm::translate(glm::dmat4(1.0), place));
+  room.compile();
+  double margin = 1e30;
+  const glm::vec3 behind(wallSeen(place, glm::normalize(place - Ball::eye()), margin));
+  EXPECT_LT(glm::distance(shownAt(room, room.render(), place), behind), 0.15f);
 }
 
 }  // namespace

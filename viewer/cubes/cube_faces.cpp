@@ -57,8 +57,11 @@ void copyToCube(const gl::Framebuffer& from, const gl::Object<gl::FramebufferTra
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, to.name(), 0,
                             static_cast<GLint>(face));
-  glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, from.width() / 2, from.height() / 2,
-                    GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  GLint side = 0;
+  glBindTexture(GL_TEXTURE_CUBE_MAP_ARRAY, to.name());
+  glGetTexLevelParameteriv(GL_TEXTURE_CUBE_MAP_ARRAY, 0, GL_TEXTURE_WIDTH, &side);
+  glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, side, side, GL_COLOR_BUFFER_BIT,
+                    from.width() == 2 * side ? GL_LINEAR : GL_NEAREST);
 }
 
 }  // namespace prelight::viewer

@@ -27,7 +27,8 @@ double nearestInCube(const CompiledScene& compiled, float radius);
 /// A layer for each cube, RGBA32F, black.
 gl::Texture makeCubeMaps(int side, std::size_t count, bool mipmapped);
 
-/// Fills a face of the array, [cube][face], with the means of two by two samples.
+/// Fills a face of the array, [cube][face], with the means of two by two samples of a picture of twice its
+/// side, or with the samples themselves.
 void copyToCube(const gl::Framebuffer& from, const gl::Object<gl::FramebufferTraits>& target,
                 const gl::Texture& to, std::size_t face);
 

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "prelight/compiled_scene.h"
+#include "viewer/scene/triangle_blocks.h"
 
 namespace prelight::viewer {
-
-/// Triangles of a node, a range a batch.
-struct TriangleRange {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
 
 /// A body whose inside would be seen by an eye within it: of two-sided surfaces.
 struct TwoSidedBody {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 #include <string>
 
-#include "viewer/cubes/cube_faces.h"
 #include "viewer/programs/drawn_transfer.h"
 #include "viewer/programs/texture_units.h"
 
@@ -56,6 +56,7 @@ void Surroundings::makeMaps() {
   const bool isRough = reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow);
   side_ = isRough ? sideOfRough : side;
   target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
+  coarseTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
   cubes_ = makeCubeMaps(side_, nodes_.size(), true);
   if (reflecting_ == Reflecting::Lobes) lobes_.emplace(side_, nodes_.size());
   const bool glass = std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.glass; });
@@ -129,7 +130,7 @@ std::vector<TwoSidedBody> Surroundings::twoSidedBodies() const {
     if (!surface.material.doubleSided || surface.isBlended()) continue;
     TwoSidedBody& body = found[nodeOf(batch)];
     body.node = nodeOf(batch);
-    body.triangles.push_back({batch.firstTriangle, batch.triangleCount});
+    body.triangles.push_back(batch.triangles());
     for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
       for (int k = 0; k < 3; ++k) {
         const glm::vec3& p = compiled_.positions[compiled_.triangles[batch.firstTriangle + t][k]];
@@ -149,7 +150,7 @@ void Surroundings::place() {
     std::vector<TriangleRange> own;
     for (const std::size_t number : node.batches) {
       const Batch& batch = scene_.batches()[number];
-      own.push_back({batch.firstTriangle, batch.triangleCount});
+      own.push_back(batch.triangles());
       for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
         for (int k = 0; k < 3; ++k) {
           const glm::vec3& p = compiled_.positions[compiled_.triangles[batch.firstTriangle + t][k]];
@@ -173,7 +174,7 @@ void Surroundings::place() {
 /// which they are filtered.
 std::size_t Surroundings::facesOf(std::size_t rounds) const {
   const std::size_t ofRest = lobes_ ? (facesOfACube - next_ % facesOfACube) % facesOfACube : 0;
-  return rounds * facesOfACube * nodes_.size() + ofRest;
+  return rounds * facesOfARound() + ofRest;
 }
 
 void Surroundings::changed() {
@@ -226,10 +227,12 @@ std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& pictur
   insidesDrawn_ = true;
   std::size_t drawn = 0;
   for (; waiting_ > 0 && drawn < mostFaces; --waiting_, ++drawn) {
-    drawFace(next_, picture, drawer);
+    // Nodes show one another alone what a round draws that another follows.
+    const bool isCoarse = !lobes_ && !picture.pace.spread && waiting_ > facesOfARound();
+    drawFace(next_, isCoarse ? *coarseTarget_ : *target_, picture, drawer);
     if (lobes_ && next_ % facesOfACube == facesOfACube - 1) lobes_->filter(next_ / facesOfACube);
-    next_ = (next_ + 1) % (facesOfACube * nodes_.size());
-    if (facesSeen_ >= facesOfACube * nodes_.size() || ++facesSeen_ % facesOfACube != 0) continue;
+    next_ = (next_ + 1) % facesOfARound();
+    if (facesSeen_ >= facesOfARound() || ++facesSeen_ % facesOfACube != 0) continue;
     // The nodes that come next may show this one, which looks its map up blurred where it is rough.
     blur();
   }
@@ -244,14 +247,16 @@ void Surroundings::blur() const {
   glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
 }
 
-void Surroundings::drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer) {
+void Surroundings::drawFace(std::size_t face, const gl::Framebuffer& target, const PictureState& picture,
+                            SceneDrawer& drawer) {
   const Node& node = nodes_[face / facesOfACube];
   const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(node.center), face % facesOfACube,
                                        nearestInCube(compiled_, node.radius));
   const LeftOut mirrors{.node = node.node}, lobes{.reflectingNode = node.seesItself ? -1 : node.node};
-  drawer.drawFace(picture, {camera, side_, lobes_ ? lobes : mirrors}, *target_);
-  copyToCube(*target_, copyTarget_, cubes_, face);
-  if (lobes_) lobes_->takeFace(*target_, face % facesOfACube);
+  const int pixels = std::min(side_, target.width());
+  drawer.drawFace(picture, {camera, pixels, lobes_ ? lobes : mirrors}, target);
+  copyToCube(target, copyTarget_, cubes_, face);
+  if (lobes_) lobes_->takeFace(target, face % facesOfACube);
   gl::check("drawing an environment map");
 }
 
@@ -278,7 +283,7 @@ void Surroundings::drawInside(std::size_t place) {
       const Batch& batch = scene_.batches()[number];
       if (!scene_.surfaces()[batch.surface].isBody()) continue;
       insideProgram_->set("firstTriangle", static_cast<int>(batch.firstTriangle));
-      drawTriangles(batch);
+      drawTriangles(batch.triangles());
     }
     glBindVertexArray(0);
     copyToCube(*target_, copyTarget_, insides_, facesOfACube * place + face);
@@ -296,15 +301,31 @@ void Surroundings::addFeatures(Features& features) const {
   features.add(Feature::LocalReflections, lobes_.has_value());
 }
 
+/// The node whose map was drawn around a batch; nullptr: none was.
+const Surroundings::Node* Surroundings::ownMap(const Batch& batch) const {
+  if (nodeOf(batch) < 0) return nullptr;
+  const std::span<const Node> drawn = std::span(nodes_).first(facesSeen_ / facesOfACube);
+  const auto found =
+      std::ranges::find_if(drawn, [&](const Node& node) { return node.node == nodeOf(batch); });
+  return found == drawn.end() ? nullptr : &*found;
+}
+
+/// The node with a map that lies nearest to a batch without one.
+const Surroundings::Node* Surroundings::nearestMap(const Batch& batch) const {
+  if (nodeOf(batch) < 0 || reflecting_ == Reflecting::Lobes) return nullptr;
+  const std::span<const Node> drawn = std::span(nodes_).first(facesSeen_ / facesOfACube);
+  const auto distance = [&](const Node& node) { return glm::distance(node.center, batch.center); };
+  const auto found = std::ranges::min_element(drawn, {}, distance);
+  return found == drawn.end() ? nullptr : &*found;
+}
+
 void Surroundings::set(const gl::Program& program, const Batch& batch) const {
-  const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) {
-    return nodeOf(batch) >= 0 && node.node == nodeOf(batch);
-  });
-  const bool shown = found != nodes_.end() &&
-                     facesSeen_ >= facesOfACube * static_cast<std::size_t>(found - nodes_.begin() + 1);
-  program.set("cube", shown ? static_cast<int>(found - nodes_.begin()) : -1);
-  if (!shown) return;
-  program.set("cubeCenter", found->center);
+  const Node* own = ownMap(batch);
+  const Node* shown = own != nullptr ? own : nearestMap(batch);
+  program.set("cube", shown != nullptr ? static_cast<int>(shown - nodes_.data()) : -1);
+  program.set("knowsInside", own != nullptr ? 1 : 0);
+  if (shown == nullptr) return;
+  program.set("cubeCenter", shown->center);
   program.set("cubeReach", glm::length(compiled_.boundsMax - compiled_.boundsMin));
 }
 
@@ -325,7 +346,7 @@ void Surroundings::describe(Warnings& notes) const {
   if (leftOut_ == 0) return;
   const std::string what =
       reflecting_ == Reflecting::Mirrors
-          ? " of the nodes that mirror or are glass are small and show the sky alone"
+          ? " of the nodes that mirror or are glass are small and show what the nearest others see"
           : " of the nodes that reflect are small and show only the mean of what lies around them";
   notes.push_back(std::to_string(leftOut_) + what + ": the largest " + std::to_string(mostNodes) +
                   " have environment maps");

@@ -8,6 +8,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "viewer/core/camera.h"
+#include "viewer/cubes/cube_faces.h"
 #include "viewer/cubes/lobe_cubes.h"
 #include "viewer/cubes/outside_place.h"
 #include "viewer/gl/framebuffer.h"
@@ -31,7 +32,8 @@ enum class Reflecting : std::uint8_t {
 /// Beside the radiance every texel has its distance, so that a ray from the surface, not from the middle,
 /// finds what it meets (Szirmay-Kalos et al. 2005, "Approximate Ray-Tracing on the GPU with Distance
 /// Impostors"). Among mirrors, a body of glass has another one, of its own surface as seen from within, where
-/// rays leave it.
+/// rays leave it; and nodes without a map take the nearest of the others', where glass is straight to look
+/// through.
 class Surroundings final : public TechniquePass {
  public:
   static constexpr int mostNodes = 16;  ///< those of the largest surface
@@ -87,8 +89,12 @@ class Surroundings final : public TechniquePass {
   void changed();
   std::size_t draw(std::size_t mostFaces, const PictureState& picture, SceneDrawer& drawer);
   void blur() const;
-  void drawFace(std::size_t face, const PictureState& picture, SceneDrawer& drawer);
+  std::size_t facesOfARound() const { return facesOfACube * nodes_.size(); }
+  void drawFace(std::size_t face, const gl::Framebuffer& target, const PictureState& picture,
+                SceneDrawer& drawer);
   void drawInside(std::size_t place);
+  const Node* ownMap(const Batch& batch) const;
+  const Node* nearestMap(const Batch& batch) const;
 
   const RenderScene& scene_;
   const CompiledScene& compiled_;
@@ -102,10 +108,10 @@ class Surroundings final : public TechniquePass {
   int side_ = side;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;
-  std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node shows the sky
+  std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node has no map
   bool placed_ = false;        ///< centres are those of the scene
   bool insidesDrawn_ = false;  ///< for these centres
-  std::unique_ptr<gl::Framebuffer> target_;
+  std::unique_ptr<gl::Framebuffer> target_, coarseTarget_;
   std::unique_ptr<gl::Program> insideProgram_;
   gl::Object<gl::FramebufferTraits> copyTarget_;
   gl::Texture cubes_;               ///< [node] radiance, distance in m

@@ -10,30 +10,30 @@
 namespace prelight::viewer {
 namespace {
 
+/// Scale (xy) and centre (zw) of a tile in the clip space of its picture.
+glm::dvec4 pictureFromTile(const View& view, const Tile& tile) {
+  return {static_cast<double>(tile.width) / view.width, static_cast<double>(tile.height) / view.height,
+          (2.0 * tile.x + tile.width) / view.width - 1.0, 1.0 - (2.0 * tile.y + tile.height) / view.height};
+}
+
 /// Clip space of a tile from that of its picture.
-glm::dmat4 cropTo(const View& view, const Tile& tile, glm::dvec4& pictureFromTile) {
-  const double scaleX = static_cast<double>(tile.width) / view.width;
-  const double scaleY = static_cast<double>(tile.height) / view.height;
-  const double centerX = (2.0 * tile.x + tile.width) / view.width - 1.0;
-  const double centerY = 1.0 - (2.0 * tile.y + tile.height) / view.height;
-  pictureFromTile = {scaleX, scaleY, centerX, centerY};
+glm::dmat4 cropTo(const View& view, const Tile& tile) {
+  const glm::dvec4 place = pictureFromTile(view, tile);
   glm::dmat4 crop(1.0);
-  crop[0][0] = 1.0 / scaleX;
-  crop[1][1] = 1.0 / scaleY;
-  crop[3][0] = -centerX / scaleX;
-  crop[3][1] = -centerY / scaleY;
+  crop[0][0] = 1.0 / place.x;
+  crop[1][1] = 1.0 / place.y;
+  crop[3][0] = -place.z / place.x;
+  crop[3][1] = -place.w / place.y;
   return crop;
 }
 
 void setCamera(const View& view, const Tile& tile, const CompiledScene& compiled, FrameBlock& frame) {
   const double aspect = static_cast<double>(view.width) / view.height;
   const CameraMatrices camera = cameraMatrices(view.camera, compiled, aspect);
-  glm::dvec4 pictureFromTile(0.0);
-  const glm::dmat4 crop = cropTo(view, tile, pictureFromTile);
-  frame.clipFromScene = crop * camera.projection * camera.view;
+  frame.clipFromScene = tileFromScene(view, tile, compiled);
   frame.eye = glm::vec4(glm::vec3(camera.position), camera.perspective ? 1.0f : 0.0f);
   frame.forward = glm::vec4(glm::vec3(camera.forward), 0.0f);
-  frame.tile = pictureFromTile;
+  frame.tile = pictureFromTile(view, tile);
   const glm::dmat3 axes(glm::transpose(glm::dmat3(camera.view)));
   const double halfHeight = halfHeightOf(view.camera);
   frame.pixelRight = glm::vec4(glm::vec3(axes[0] * halfHeight * aspect), 0.0f);
@@ -56,6 +56,12 @@ void setSky(const View& view, const SeenSky& sky, FrameBlock& frame) {
 }
 
 }  // namespace
+
+glm::mat4 tileFromScene(const View& view, const Tile& tile, const CompiledScene& compiled) {
+  const double aspect = static_cast<double>(view.width) / view.height;
+  const CameraMatrices camera = cameraMatrices(view.camera, compiled, aspect);
+  return cropTo(view, tile) * camera.projection * camera.view;
+}
 
 FrameBlock frameBlockOf(const View& view, const Tile& tile, const CompiledScene& compiled, const SeenSky& sky,
                         std::span<const ShadedLight> lights, int turns) {

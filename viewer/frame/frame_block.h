@@ -10,6 +10,9 @@
 
 namespace prelight::viewer {
 
+/// Clip space of a tile from scene coordinates.
+glm::mat4 tileFromScene(const View& view, const Tile& tile, const CompiledScene& compiled);
+
 /// The uniforms that all draws of a tile share. `turns`: pixels of a square's side that take turns
 /// with samples of lights.
 FrameBlock frameBlockOf(const View& view, const Tile& tile, const CompiledScene& compiled, const SeenSky& sky,

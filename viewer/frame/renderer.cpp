@@ -336,7 +336,7 @@ TileLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> l
   look.variant.showsParts = look.factors != wholePicture;
   if (drawing.picture.transfer != nullptr) look.inputs.push_back(drawing.picture.transfer);
   look.inputs.insert(look.inputs.end(), drawing.passes.begin(), drawing.passes.end());
-  look.withoutEmission = drawing.withoutEmission;
+  if (drawing.withoutEmission) look.read.remove(Feature::Emission);
   return {look, look};
 }
 
@@ -383,6 +383,8 @@ SlicedWork Renderer::drawScene(Drawing drawing, Tile tile, const gl::Framebuffer
                     : transfer != nullptr  ? transfer->turnsInFaces()
                                            : DrawnTransfer::usualTurnsInFaces;
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
+  const ShownTriangles shown(scene_.blocks(), tileFromScene(view, tile, compiled_));
+  look.opaque.shown = look.blended.shown = &shown;
   const double slice = drawing.picture.pace.slice;
   SlicedWork surfaces = drawInSlices(target.width(), target.height(), slice, [&](const SampleRect& rect) {
     useSurfaceState();
@@ -418,7 +420,7 @@ void Renderer::drawOrdered(const Drawing& drawing, const DrawOrder& order, const
                            const FramePassObserver& passed) {
   const BatchLook& opaque = look.opaque;
   clearToSky(drawing.picture.view, opaque);
-  if (opaque.depthsFirst) batches_.drawDepths(order.opaque);
+  if (opaque.depthsFirst) batches_.drawDepths(order.opaque, *opaque.shown);
   drawBatches(drawing.passes, order.opaque, opaque);
 
   glDepthMask(GL_FALSE);

@@ -37,8 +37,7 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
   const gl::Program* used = nullptr;
   for (const Batch* batch : batches) {
     ShaderVariant variant = look.variant;
-    variant.features = variant.features | surfaceFeatures_[batch->surface];
-    if (look.withoutEmission) variant.features.remove(Feature::Emission);
+    variant.features = variant.features | (surfaceFeatures_[batch->surface] & look.read);
     if (batch->reflectingNode < 0) variant.features.remove(Feature::LocalReflections);
     const gl::Program& program = programs_.of(look.shader, variant);
     if (used != &program) {
@@ -53,8 +52,14 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
     setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);
     if (look.layer > 0) glDisable(GL_CULL_FACE);
     for (const SurfaceInput* input : look.inputs) input->set(program, *batch);
-    program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
-    drawTriangles(*batch);
+    const auto drawRange = [&](const TriangleRange& range) {
+      program.set("firstTriangle", static_cast<int>(range.first));
+      drawTriangles(range);
+    };
+    if (look.shown != nullptr)
+      look.shown->forEach(batch->triangles(), drawRange);
+    else
+      drawRange(batch->triangles());
   }
   glBindVertexArray(0);
 }
@@ -67,7 +72,7 @@ void BatchDrawer::drawInto(const gl::Framebuffer& target, const std::vector<cons
   draw(batches, look);
 }
 
-void BatchDrawer::drawDepths(const std::vector<const Batch*>& batches) {
+void BatchDrawer::drawDepths(const std::vector<const Batch*>& batches, const ShownTriangles& shown) {
   glBindVertexArray(scene_.vertexArray().name());
   programs_.depth().use();
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -75,7 +80,7 @@ void BatchDrawer::drawDepths(const std::vector<const Batch*>& batches) {
     const Surface& surface = scene_.surfaces()[batch->surface];
     if (surface.material.alphaMode == AlphaMode::Mask) continue;
     cullBacksOf(surface);
-    drawTriangles(*batch);
+    shown.forEach(batch->triangles(), drawTriangles);
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBindVertexArray(0);

@@ -19,11 +19,12 @@ struct BatchLook {
   const char* shader = "";                  ///< of fragments
   ShaderVariant variant;                    ///< without the features of surfaces
   std::vector<const SurfaceInput*> inputs;  ///< in the order in which they are bound
-  bool withoutEmission = false;             ///< what gives light is not seen
+  Features read = Features::all();          ///< of surfaces, that the shader is to know
   glm::ivec4 causticCorner{0};              ///< of surface.frag
-  int layer = 0;                        ///< of screen_surface.frag; those behind the first have backs, too
-  bool depthsFirst = false;             ///< nothing hidden is shaded
-  LayerFactors factors = wholePicture;  ///< of the picture's layers, where the variant shows parts
+  int layer = 0;                          ///< of screen_surface.frag; those behind the first have backs, too
+  bool depthsFirst = false;               ///< nothing hidden is shaded
+  const ShownTriangles* shown = nullptr;  ///< those that are drawn; nullptr: all
+  LayerFactors factors = wholePicture;    ///< of the picture's layers, where the variant shows parts
 };
 
 /// Draws the surfaces of a scene with the programs that they need.
@@ -44,7 +45,7 @@ class BatchDrawer {
                 const BatchLook& look);
 
   /// Draws the depths of surfaces without holes, so that nothing hidden is shaded.
-  void drawDepths(const std::vector<const Batch*>& batches);
+  void drawDepths(const std::vector<const Batch*>& batches, const ShownTriangles& shown);
 
   /// Draws the sky behind opaque surfaces, unless it is the colour that the picture was cleared to.
   void drawBackground(const ShaderVariant& variant, float factor);

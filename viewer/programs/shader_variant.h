@@ -83,6 +83,10 @@ class Features {
     other.bits_ |= bits_;
     return other;
   }
+  constexpr Features operator&(Features other) const {
+    other.bits_ &= bits_;
+    return other;
+  }
   constexpr auto operator<=>(const Features&) const = default;
 
  private:

@@ -19,9 +19,9 @@ bool hasNoHoles(const Surface& surface) {
 
 }  // namespace
 
-void drawTriangles(const Batch& batch) {
-  const std::size_t offset = std::size_t{batch.firstTriangle} * sizeof(glm::uvec3);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.triangleCount * 3), GL_UNSIGNED_INT,
+void drawTriangles(const TriangleRange& range) {
+  const std::size_t offset = std::size_t{range.first} * sizeof(glm::uvec3);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count * 3), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(offset));
 }
 
@@ -56,6 +56,7 @@ TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bo
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
+  blocks_ = TriangleBlocks(compiled);
   batches_ = batchesOf(compiled, surfaces_);
   occluders_.clear();
   for (const Batch& batch : batches_) {
@@ -69,6 +70,7 @@ void RenderScene::makeBatches(const CompiledScene& compiled) {
 
 void RenderScene::fillPositions(const CompiledScene& compiled) {
   streams_.front().fill(std::span<const glm::vec3>(compiled.positions));
+  blocks_ = TriangleBlocks(compiled);
   for (Batch& batch : batches_) batch.center = centerOf(compiled, batch);
 }
 
@@ -97,12 +99,13 @@ void RenderScene::fillSurfaces(const RenderInputs& inputs) {
   makeAlbedos(inputs.compiled);
 }
 
-void RenderScene::drawOccluders(const std::function<void(const Surface&)>& setSurface) const {
+void RenderScene::drawOccluders(const ShownTriangles& shown,
+                                const std::function<void(const Surface&)>& setSurface) const {
   glBindVertexArray(vertexArray_.name());
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
   for (const Batch& batch : occluders_) {
     setSurface(surfaces_[batch.surface]);
-    drawTriangles(batch);
+    shown.forEach(batch.triangles(), drawTriangles);
   }
   glBindVertexArray(0);
 }

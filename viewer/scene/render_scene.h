@@ -12,12 +12,13 @@
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/texture.h"
 #include "viewer/scene/surface.h"
+#include "viewer/scene/triangle_blocks.h"
 #include "viewer/scene/vertex_stream.h"
 
 namespace prelight::viewer {
 
-/// Draws a batch of the scene whose vertex array is in use.
-void drawTriangles(const Batch& batch);
+/// Draws triangles of the scene whose vertex array is in use.
+void drawTriangles(const TriangleRange& range);
 
 /// A scene as OpenGL objects of the current context; nothing in it depends on a bake, lights or camera.
 /// Triangle normals are a buffer texture of RGBA32F: geometric normal, and 1 where a triangle shades flat,
@@ -30,6 +31,7 @@ class RenderScene {
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::vector<Batch>& batches() const { return batches_; }
+  const TriangleBlocks& blocks() const { return blocks_; }
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
 
@@ -49,9 +51,11 @@ class RenderScene {
   /// Replaces what materials say; textures stay.
   void fillSurfaces(const RenderInputs& inputs);
 
-  /// Draws all triangles with the program in use, both sides of them, as what stands in the light's way;
-  /// `setSurface` is called before those of a surface that has holes and once for all that have none.
-  void drawOccluders(const std::function<void(const Surface&)>& setSurface) const;
+  /// Draws the triangles that a view may show with the program in use, both sides of them, as what stands in
+  /// the light's way; `setSurface` is called before those of a surface that has holes and once for all that
+  /// have none.
+  void drawOccluders(const ShownTriangles& shown,
+                     const std::function<void(const Surface&)>& setSurface) const;
 
  private:
   struct LoadedTexture {
@@ -81,6 +85,7 @@ class RenderScene {
   gl::Texture white_;
   std::vector<LoadedTexture> textures_;
   std::vector<Surface> surfaces_;
+  TriangleBlocks blocks_;
   std::vector<Batch> batches_;
   std::vector<Batch> occluders_;  ///< batches, those without holes that follow each other joined
 };

@@ -10,6 +10,7 @@
 #include "prelight/scene.h"
 #include "viewer/core/render_inputs.h"
 #include "viewer/gl/texture.h"
+#include "viewer/scene/triangle_blocks.h"
 
 namespace prelight::viewer {
 
@@ -88,6 +89,8 @@ struct Batch {
   glm::vec3 center{0.0f};   ///< of its bounds, to sort what is blended
   int node = -1;            ///< of a surface that shows its surroundings: the glTF node it belongs to
   int reflectingNode = -1;  ///< the same of one that reflects what lies around it
+
+  TriangleRange triangles() const { return {firstTriangle, triangleCount}; }
 };
 
 /// The batches of a scene, in the order of its triangles.

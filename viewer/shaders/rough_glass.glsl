@@ -96,7 +96,7 @@ float unmasked(float from, float to, float alpha) {
 // Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside. What
 // facets mask on the way out is not taken off: few ways with weights as unlike as those would show one by one.
 vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle) {
-  if (cube < 0) return skyRadiance(way, levelOfSolidAngle(solidAngle));
+  if (cube < 0 || knowsInside == 0) return surroundingWithin(point, way, solidAngle);
   vec3 passed = vec3(1.0), sum = vec3(0.0);
   for (int i = 0; i <= mostInRoughBody; ++i) {
     vec3 n = leaveBody(point, way, absorption, passed);

@@ -20,6 +20,17 @@ bool hasHoles(const Surface& surface) {
 
 bool hasClipControl() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"); }
 
+/// As shadow.vert has it; its third row is that of depths, which leave nothing out.
+glm::mat4 clipOf(const ShadowEye& eye) {
+  const bool perspective = eye.near > 0.0f;
+  const auto row = [&](const glm::vec3& axis, float w) {
+    return glm::vec4(axis, w - glm::dot(axis, eye.position));
+  };
+  return glm::transpose(glm::mat4(row(eye.scale * eye.axes[0], 0.0f), row(eye.scale * eye.axes[1], 0.0f),
+                                  glm::vec4(0.0f),
+                                  perspective ? row(eye.axes[2], 0.0f) : glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)));
+}
+
 void setEye(const gl::Program& program, const ShadowEye& eye) {
   program.use();
   program.set("axisX", glm::vec4(eye.axes[0], eye.scale));
@@ -48,15 +59,16 @@ ShadowPass::ShadowPass() : program_("shadow.vert", "shadow.frag") {
 }
 
 void ShadowPass::draw(const RenderScene& scene, const ShadowEye& eye, bool quick) const {
+  const ShownTriangles shown(scene.blocks(), clipOf(eye));
   if (!quick || clip_ == nullptr) {
     setEye(program_, eye);
-    scene.drawOccluders([&](const Surface& surface) { setHoles(program_, scene, surface); });
+    scene.drawOccluders(shown, [&](const Surface& surface) { setHoles(program_, scene, surface); });
     return;
   }
   setEye(clip_->holes, eye);
   setEye(clip_->whole, eye);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  scene.drawOccluders([&](const Surface& surface) {
+  scene.drawOccluders(shown, [&](const Surface& surface) {
     const bool holes = hasHoles(surface);
     (holes ? clip_->holes : clip_->whole).use();
     if (holes) setHoles(clip_->holes, scene, surface);

@@ -101,14 +101,14 @@ vec3 shadeLights(Scattering s, TopLayers top, Normals n, vec3 toEye, vec2 shown)
 vec3 seenThroughBody(vec3 n, vec3 toEye) {
   vec3 passed;
   if (!hasDispersion || dispersion <= 0.0) {
-    vec3 seen = radianceThroughBody(vPosition, refract(-toEye, n, 1.0 / glassIor), glassIor, absorption, passed);
+    vec3 seen = radianceThroughBody(vPosition, n, toEye, glassIor, absorption, passed);
     return passed * seen;
   }
   vec3 sum = vec3(0.0);
   for (int k = 0; k < waves; ++k) {
     float part = (float(k) + 0.5) / float(waves);
     float ior = iorOfWave(glassIor, dispersion, part);
-    vec3 seen = radianceThroughBody(vPosition, refract(-toEye, n, 1.0 / ior), ior, absorption, passed);
+    vec3 seen = radianceThroughBody(vPosition, n, toEye, ior, absorption, passed);
     sum += colorOfWave(part) * passed * seen;
   }
   return sum / float(waves);
