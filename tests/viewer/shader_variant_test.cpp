@@ -57,6 +57,16 @@ TEST(ShaderVariants, OfWhatASceneNeeds_ShowTheSameAsThoseOfEverything) {
       expectSamePictures(manyMaterials(sky), shading);
 }
 
+TEST(ShaderVariants, OfSurfacesThatDifferLittle_AreShared) {
+  const Features plain, textured = {Feature::BaseColorTexture}, lamp = {Feature::Emission},
+                        plastic = {Feature::Layer}, metal = {Feature::Gloss, Feature::NormalTexture},
+                        mirror = {Feature::Gloss, Feature::Surroundings}, glass = {Feature::Glass};
+  const std::vector<Features> surfaces = {plain, plastic, textured, glass, metal, lamp, mirror};
+  const Features diffuse = textured | lamp, reflecting = plastic | metal;
+  const std::vector<Features> expected = {diffuse, reflecting, diffuse, glass, reflecting, diffuse, mirror};
+  EXPECT_EQ(sharedFeatures(surfaces), expected);
+}
+
 TEST(ShaderVariants, OfFewLamps_ShowTheSameAsThoseOfAnyNumber) {
   QuadScene quad = manyMaterials(false);
   for (const int lamps : {0, 1, 3, 4, 5}) {

@@ -383,6 +383,7 @@ SlicedWork Renderer::drawScene(Drawing drawing, Tile tile, const gl::Framebuffer
                     : transfer != nullptr  ? transfer->turnsInFaces()
                                            : DrawnTransfer::usualTurnsInFaces;
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
+  look.opaque.fewPrograms = look.blended.fewPrograms = look.opaque.depthsFirst;
   const ShownTriangles shown(scene_.blocks(), tileFromScene(view, tile, compiled_));
   look.opaque.shown = look.blended.shown = &shown;
   const double slice = drawing.picture.pace.slice;

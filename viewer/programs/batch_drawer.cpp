@@ -24,6 +24,7 @@ BatchDrawer::BatchDrawer(const RenderScene& scene, const Encoding* encoding)
 void BatchDrawer::materialsChanged() {
   surfaceFeatures_.clear();
   for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
+  sharedFeatures_ = sharedFeatures(surfaceFeatures_);
 }
 
 bool BatchDrawer::anySurfaceHas(Feature feature) const {
@@ -37,7 +38,8 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
   const gl::Program* used = nullptr;
   for (const Batch* batch : batches) {
     ShaderVariant variant = look.variant;
-    variant.features = variant.features | (surfaceFeatures_[batch->surface] & look.read);
+    const std::vector<Features>& features = look.fewPrograms ? sharedFeatures_ : surfaceFeatures_;
+    variant.features = variant.features | (features[batch->surface] & look.read);
     if (batch->reflectingNode < 0) variant.features.remove(Feature::LocalReflections);
     const gl::Program& program = programs_.of(look.shader, variant);
     if (used != &program) {

@@ -23,6 +23,7 @@ struct BatchLook {
   glm::ivec4 causticCorner{0};              ///< of surface.frag
   int layer = 0;                          ///< of screen_surface.frag; those behind the first have backs, too
   bool depthsFirst = false;               ///< nothing hidden is shaded
+  bool fewPrograms = false;               ///< surfaces share programs that know more than they have
   const ShownTriangles* shown = nullptr;  ///< those that are drawn; nullptr: all
   LayerFactors factors = wholePicture;    ///< of the picture's layers, where the variant shows parts
 };
@@ -54,6 +55,7 @@ class BatchDrawer {
   const RenderScene& scene_;
   SurfacePrograms programs_;
   std::vector<Features> surfaceFeatures_;  ///< [surface]
+  std::vector<Features> sharedFeatures_;   ///< [surface], with those of others that are drawn alike
   gl::VertexArray noVertices_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "scene/lobes.h"
@@ -9,6 +10,14 @@
 
 namespace prelight::viewer {
 namespace {
+
+constexpr Features reflectingFeatures = {Feature::Gloss, Feature::Layer, Feature::FurtherLobes};
+
+/// Textures and emission are read once a pixel; one kind of reflection costs as much as another.
+constexpr Features cheapFeatures =
+    Features{Feature::BaseColorTexture, Feature::MetallicRoughnessTexture, Feature::EmissiveTexture,
+             Feature::NormalTexture,    Feature::SpecularTextures,         Feature::Emission} |
+    reflectingFeatures;
 
 struct NamedFeature {
   Feature feature = Feature::BaseColorTexture;
@@ -150,6 +159,20 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Surroundings, surface.showsSurroundings);
   features.add(Feature::Measured, surface.measured >= 0);
   return features;
+}
+
+std::vector<Features> sharedFeatures(std::span<const Features> surfaces) {
+  const auto kindOf = [](Features features) {
+    return std::pair(features & ~cheapFeatures, (features & reflectingFeatures) != Features());
+  };
+  std::map<std::pair<Features, bool>, Features> shared;
+  for (const Features features : surfaces) {
+    Features& ofKind = shared[kindOf(features)];
+    ofKind = ofKind | features;
+  }
+  std::vector<Features> result;
+  for (const Features features : surfaces) result.push_back(shared[kindOf(features)]);
+  return result;
 }
 
 }  // namespace prelight::viewer

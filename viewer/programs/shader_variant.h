@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/text.h"
 #include "techniques/drawing_rules.h"
@@ -87,6 +88,11 @@ class Features {
     other.bits_ &= bits_;
     return other;
   }
+  constexpr Features operator~() const {
+    Features others;
+    others.bits_ = all().bits_ & ~bits_;
+    return others;
+  }
   constexpr auto operator<=>(const Features&) const = default;
 
  private:
@@ -135,5 +141,9 @@ std::string textOf(const ShaderVariant& variant);
 
 /// The features of a surface's material.
 Features featuresOf(const Surface& surface);
+
+/// Gives surfaces the features of others, too, that differ from them in what costs little beside many lights:
+/// they share programs, of which software OpenGL takes seconds to compile one. Pictures stay the same.
+std::vector<Features> sharedFeatures(std::span<const Features> surfaces);
 
 }  // namespace prelight::viewer
