@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <random>
 #include <vector>
 
 #include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
+#include "support/scenes.h"
 #include "viewer/drawn_passes.h"
 #include "viewer/frame/view.h"
 #include "viewer/gl/egl_context.h"
@@ -124,6 +126,54 @@ TEST(DraftShadows, OfAStillLight_StayAsFineAsTheyWere) {
   EXPECT_EQ(viewer::renderView(renderer, view, 1).pixels, still.pixels);
   EXPECT_EQ(drawn.shadowTexels(), 0u);
   EXPECT_EQ(drawn.faces(), 0u);
+}
+
+/// Balls on all sides of a place, in one primitive, over a floor.
+struct BallsAround {
+  FloorBesideMirror scene;
+
+  explicit BallsAround(bool mixed) {
+    Primitive& balls = scene.quad.add(lambertian(glm::vec3(0.5f)));
+    balls.positions.clear();
+    balls.normals.clear();
+    balls.triangles.clear();
+    balls.texCoords0.clear();
+    for (const glm::vec3 center : {glm::vec3(0.7, 0, 0.8), glm::vec3(-0.7, 0.1, 0.8), glm::vec3(0, 0.8, 0.9),
+                                   glm::vec3(0.1, -0.7, 0.7), glm::vec3(0, 0, 0.4), glm::vec3(0, 0, 1.9)}) {
+      const auto first = static_cast<std::uint32_t>(balls.positions.size());
+      const CompiledScene ball = sphere(24, 0.2f, center);
+      balls.positions.insert(balls.positions.end(), ball.positions.begin(), ball.positions.end());
+      balls.normals.insert(balls.normals.end(), ball.normals.begin(), ball.normals.end());
+      for (const glm::uvec3& triangle : ball.triangles) balls.triangles.push_back(triangle + first);
+    }
+    if (mixed) std::shuffle(balls.triangles.begin(), balls.triangles.end(), std::mt19937(1));
+    Light spot = makeLight(LightType::Spot, {20, 20, 20}, {1.5, -1.0, 2.5});
+    spot.direction = glm::normalize(glm::vec3(-1.5f, 1.0f, -1.5f));
+    Light sun = makeLight(LightType::Directional, {1, 1, 1}, {0, 0, 0});
+    sun.direction = glm::normalize(glm::vec3(0.3f, 0.5f, -1.0f));
+    scene.quad.scene.lights = {makeLight(LightType::Point, {5, 5, 5}, {0.0, 0.0, 1.5}), spot, sun};
+    scene.quad.compile();
+    LightMapLayoutRequest request;
+    request.texels = 500;
+    LightMap& indirect = scene.globalIllumination.indirect;
+    indirect.layout = makeLightMapLayout(scene.quad.scene, scene.quad.compiled, request);
+    indirect.values.assign(3 * indirect.layout.texelCount(), 0.0f);
+  }
+
+  Picture render() const {
+    const viewer::gl::EglContext context;
+    viewer::Renderer renderer(scene.inputs());
+    return viewer::renderView(renderer, scene.view(), 1);
+  }
+};
+
+// Triangles that are mixed lie on all sides in every block, so that none is left out.
+TEST(ShadowMaps, WhatAViewLeavesOut_CastsNoShadowInIt) {
+  const Picture ordered = BallsAround(false).render(), mixed = BallsAround(true).render();
+  int different = 0;
+  for (std::size_t i = 0; i < ordered.pixels.size(); ++i)
+    different += glm::distance(ordered.pixels[i], mixed.pixels[i]) > 1e-4f ? 1 : 0;
+  EXPECT_EQ(different, 0);
 }
 
 TEST(ShadowMaps, OfFewAndOfManyLamps_AreFoundByShadersThatKnowTheirNumber) {

@@ -61,9 +61,9 @@ struct Ball {
     globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
   }
 
-  void addBall(const Material& material, const glm::vec3& center, int segments) {
+  void addBall(const Material& material, const glm::vec3& center, int segments, double radius = ballRadius) {
     Primitive& ball = quad.add(material);
-    const CompiledScene sphere = test::sphere(segments, static_cast<float>(ballRadius), center);
+    const CompiledScene sphere = test::sphere(segments, static_cast<float>(radius), center);
     ball.positions = sphere.positions;
     ball.normals.clear();
     for (const glm::vec3& p : sphere.positions) ball.normals.push_back(glm::normalize(p - center));
@@ -141,9 +141,10 @@ glm::dvec3 wallSeen(const glm::dvec3& from, const glm::dvec3& way, double& margi
 }
 
 /// First intersection with the ball; negative if there is none.
-double meetBall(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& center) {
+double meetBall(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& center,
+                double radius = ballRadius) {
   const glm::dvec3 o = from - center;
-  const double b = glm::dot(o, way), c = glm::dot(o, o) - ballRadius * ballRadius, d = b * b - c;
+  const double b = glm::dot(o, way), c = glm::dot(o, o) - radius * radius, d = b * b - c;
   return d < 0.0 ? -1.0 : -b - std::sqrt(d);
 }
 
@@ -443,6 +444,32 @@ TEST(Surroundings, MoreMirrorsThanMaps_ShowWhatTheNearestSeesAndANoteSaysSo) {
   // They face the eye and the wall behind it.
   for (const double x : {-0.3, 0.3})
     EXPECT_LT(glm::distance(shownAt(room, picture, {x, 0.3, 0.0}), walls[5]), 0.05f) << x;
+}
+
+TEST(Surroundings, SmallMirrorBallWithoutAMap_ShowsTheRoomOnAllSides) {
+  Ball room = roomOfMaps();
+  const glm::vec3 center(0.2f, 0.4f, 0.6f);
+  constexpr double radius = 0.15;
+  room.addBall(mirror(), center, 48, radius);
+  room.compile();
+  const Picture picture = room.render();
+  int compared = 0, right = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::dvec3 way = room.way(x, y);
+      const double along = meetBall(Ball::eye(), way, center, radius);
+      if (along <= 0.0) continue;
+      const glm::dvec3 point = Ball::eye() + along * way, n = (point - glm::dvec3(center)) / radius;
+      const glm::dvec3 mirrored = glm::reflect(way, n);
+      double margin = 1e30;
+      const glm::dvec3 wall = wallSeen(point, mirrored, margin);
+      if (glm::dot(n, -way) < 0.3 || margin < 0.3 || mirrored.y < 0.0) continue;  // other mirrors lie below
+      ++compared;
+      const glm::dvec3 drawn(picture.pixels[static_cast<std::size_t>(y * size + x)]);
+      right += glm::distance(drawn, wall) < 0.05 ? 1 : 0;
+    }
+  EXPECT_GT(compared, 50);
+  EXPECT_GE(right, 0.95 * compared);
 }
 
 TEST(Surroundings, SmallGlassWithoutAMap_IsSeenThrough) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 

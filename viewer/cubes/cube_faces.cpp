@@ -52,16 +52,13 @@ gl::Texture makeCubeMaps(int side, std::size_t count, bool mipmapped) {
 }
 
 void copyToCube(const gl::Framebuffer& from, const gl::Object<gl::FramebufferTraits>& target,
-                const gl::Texture& to, std::size_t face) {
+                const gl::Texture& to, std::size_t face, int side) {
   from.bind();
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.name());
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, to.name(), 0,
                             static_cast<GLint>(face));
-  GLint side = 0;
-  glBindTexture(GL_TEXTURE_CUBE_MAP_ARRAY, to.name());
-  glGetTexLevelParameteriv(GL_TEXTURE_CUBE_MAP_ARRAY, 0, GL_TEXTURE_WIDTH, &side);
   glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, side, side, GL_COLOR_BUFFER_BIT,
-                    from.width() == 2 * side ? GL_LINEAR : GL_NEAREST);
+                    from.width() > side ? GL_LINEAR : GL_NEAREST);
 }
 
 }  // namespace prelight::viewer

@@ -27,9 +27,9 @@ double nearestInCube(const CompiledScene& compiled, float radius);
 /// A layer for each cube, RGBA32F, black.
 gl::Texture makeCubeMaps(int side, std::size_t count, bool mipmapped);
 
-/// Fills a face of the array, [cube][face], with the means of two by two samples of a picture of twice its
-/// side, or with the samples themselves.
+/// Fills a face of `side` texels of the array, [cube][face], from a picture of twice the side, whose samples
+/// are averaged, or of half of it, whose samples are repeated.
 void copyToCube(const gl::Framebuffer& from, const gl::Object<gl::FramebufferTraits>& target,
-                const gl::Texture& to, std::size_t face);
+                const gl::Texture& to, std::size_t face, int side);
 
 }  // namespace prelight::viewer

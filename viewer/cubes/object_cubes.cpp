@@ -114,7 +114,7 @@ std::size_t ObjectCubes::draw(std::size_t mostFaces, const PictureState& picture
     const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(object.center), face,
                                          nearestInCube(compiled_, object.radius));
     drawer.drawFace(picture, {camera, side, {-1, object.range}, lampsApart}, target_);
-    copyToCube(target_, copyTarget_, cubes_, next_);
+    copyToCube(target_, copyTarget_, cubes_, next_, side);
     next_ = (next_ + 1) % (facesOfACube * objects_.size());
     if (next_ % facesOfACube == 0 || drawn + 1 == most)
       projection_.project(cubes_, static_cast<std::size_t>(&object - objects_.data()));

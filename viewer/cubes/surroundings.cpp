@@ -39,6 +39,8 @@ Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compil
 
 void Surroundings::chooseNodes() {
   nodes_.clear();
+  borrowing_.clear();
+  borrowers_.clear();
   leftOut_ = alone_ = 0;
   findNodes();
   keepLargest(static_cast<std::size_t>(reflecting_ == Reflecting::Mirrors ? mostNodes : mostTried));
@@ -56,7 +58,7 @@ void Surroundings::makeMaps() {
   const bool isRough = reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow);
   side_ = isRough ? sideOfRough : side;
   target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
-  coarseTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
+  quickTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
   cubes_ = makeCubeMaps(side_, nodes_.size(), true);
   if (reflecting_ == Reflecting::Lobes) lobes_.emplace(side_, nodes_.size());
   const bool glass = std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.glass; });
@@ -90,6 +92,10 @@ void Surroundings::findNodes() {
 void Surroundings::keepLargest(std::size_t most) {
   if (nodes_.size() <= most) return;
   leftOut_ += nodes_.size() - most;
+  if (reflecting_ == Reflecting::Mirrors) {
+    borrowing_.assign(nodes_.begin() + static_cast<std::ptrdiff_t>(most), nodes_.end());
+    for (const Node& node : borrowing_) borrowers_.push_back(node.node);
+  }
   nodes_.resize(most);
 }
 
@@ -143,24 +149,30 @@ std::vector<TwoSidedBody> Surroundings::twoSidedBodies() const {
   return bodies;
 }
 
+/// The middle of a node's bounds, and half their diagonal.
+void Surroundings::findCenter(Node& node) const {
+  glm::vec3 lower(3e38f), upper(-3e38f);
+  for (const std::size_t number : node.batches) {
+    const Batch& batch = scene_.batches()[number];
+    for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
+      for (int k = 0; k < 3; ++k) {
+        const glm::vec3& p = compiled_.positions[compiled_.triangles[batch.firstTriangle + t][k]];
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+      }
+  }
+  node.center = 0.5f * (lower + upper);
+  node.radius = 0.5f * glm::length(upper - lower);
+}
+
 void Surroundings::place() {
   const std::vector<TwoSidedBody> bodies = twoSidedBodies();
+  for (Node& node : borrowing_) findCenter(node);
   for (Node& node : nodes_) {
-    glm::vec3 lower(3e38f), upper(-3e38f);
-    std::vector<TriangleRange> own;
-    for (const std::size_t number : node.batches) {
-      const Batch& batch = scene_.batches()[number];
-      own.push_back(batch.triangles());
-      for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
-        for (int k = 0; k < 3; ++k) {
-          const glm::vec3& p = compiled_.positions[compiled_.triangles[batch.firstTriangle + t][k]];
-          lower = glm::min(lower, p);
-          upper = glm::max(upper, p);
-        }
-    }
-    node.center = 0.5f * (lower + upper);
-    node.radius = 0.5f * glm::length(upper - lower);
+    findCenter(node);
     if (node.glass) continue;  // its inside is seen from there as well
+    std::vector<TriangleRange> own;
+    for (const std::size_t number : node.batches) own.push_back(scene_.batches()[number].triangles());
     std::vector<TwoSidedBody> others;
     for (const TwoSidedBody& body : bodies)
       if (body.node != node.node) others.push_back(body);
@@ -227,9 +239,9 @@ std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& pictur
   insidesDrawn_ = true;
   std::size_t drawn = 0;
   for (; waiting_ > 0 && drawn < mostFaces; --waiting_, ++drawn) {
-    // Nodes show one another alone what a round draws that another follows.
-    const bool isCoarse = !lobes_ && !picture.pace.spread && waiting_ > facesOfARound();
-    drawFace(next_, isCoarse ? *coarseTarget_ : *target_, picture, drawer);
+    // What a round draws is seen in other maps alone if another round follows.
+    const bool isQuick = !lobes_ && !picture.pace.spread && waiting_ > facesOfARound();
+    drawFace(next_, isQuick ? *quickTarget_ : *target_, picture, drawer);
     if (lobes_ && next_ % facesOfACube == facesOfACube - 1) lobes_->filter(next_ / facesOfACube);
     next_ = (next_ + 1) % facesOfARound();
     if (facesSeen_ >= facesOfARound() || ++facesSeen_ % facesOfACube != 0) continue;
@@ -252,10 +264,11 @@ void Surroundings::drawFace(std::size_t face, const gl::Framebuffer& target, con
   const Node& node = nodes_[face / facesOfACube];
   const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(node.center), face % facesOfACube,
                                        nearestInCube(compiled_, node.radius));
-  const LeftOut mirrors{.node = node.node}, lobes{.reflectingNode = node.seesItself ? -1 : node.node};
+  const LeftOut mirrors{.node = node.node, .furtherNodes = borrowers_},
+      lobes{.reflectingNode = node.seesItself ? -1 : node.node};
   const int pixels = std::min(side_, target.width());
   drawer.drawFace(picture, {camera, pixels, lobes_ ? lobes : mirrors}, target);
-  copyToCube(target, copyTarget_, cubes_, face);
+  copyToCube(target, copyTarget_, cubes_, face, side_);
   if (lobes_) lobes_->takeFace(target, face % facesOfACube);
   gl::check("drawing an environment map");
 }
@@ -286,7 +299,7 @@ void Surroundings::drawInside(std::size_t place) {
       drawTriangles(batch.triangles());
     }
     glBindVertexArray(0);
-    copyToCube(*target_, copyTarget_, insides_, facesOfACube * place + face);
+    copyToCube(*target_, copyTarget_, insides_, facesOfACube * place + face, side_);
   }
   gl::check("drawing a body from within");
 }
@@ -310,11 +323,21 @@ const Surroundings::Node* Surroundings::ownMap(const Batch& batch) const {
   return found == drawn.end() ? nullptr : &*found;
 }
 
-/// The node with a map that lies nearest to a batch without one.
+/// The node of a batch, which has a map or borrows one; nullptr: neither.
+const Surroundings::Node* Surroundings::nodeWith(const Batch& batch) const {
+  if (nodeOf(batch) < 0) return nullptr;
+  for (const std::vector<Node>* nodes : {&nodes_, &borrowing_})
+    for (const Node& node : *nodes)
+      if (node.node == nodeOf(batch)) return &node;
+  return nullptr;
+}
+
+/// The node with a map that lies nearest to that of a batch, which has none.
 const Surroundings::Node* Surroundings::nearestMap(const Batch& batch) const {
-  if (nodeOf(batch) < 0 || reflecting_ == Reflecting::Lobes) return nullptr;
+  const Node* here = nodeWith(batch);
+  if (here == nullptr || reflecting_ == Reflecting::Lobes) return nullptr;
   const std::span<const Node> drawn = std::span(nodes_).first(facesSeen_ / facesOfACube);
-  const auto distance = [&](const Node& node) { return glm::distance(node.center, batch.center); };
+  const auto distance = [&](const Node& node) { return glm::distance(node.center, here->center); };
   const auto found = std::ranges::min_element(drawn, {}, distance);
   return found == drawn.end() ? nullptr : &*found;
 }
@@ -323,7 +346,7 @@ void Surroundings::set(const gl::Program& program, const Batch& batch) const {
   const Node* own = ownMap(batch);
   const Node* shown = own != nullptr ? own : nearestMap(batch);
   program.set("cube", shown != nullptr ? static_cast<int>(shown - nodes_.data()) : -1);
-  program.set("knowsInside", own != nullptr ? 1 : 0);
+  program.set("isOwnCube", own != nullptr ? 1 : 0);
   if (shown == nullptr) return;
   program.set("cubeCenter", shown->center);
   program.set("cubeReach", glm::length(compiled_.boundsMax - compiled_.boundsMin));

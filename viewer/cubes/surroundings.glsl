@@ -1,9 +1,8 @@
 // Surroundings of a surface, from the cube maps of viewer/cubes/surroundings.h; needs sky.glsl.
-uniform samplerCubeArray
-    surroundings;                  // [node] rgb: radiance, a: distance in m, far beyond the scene: the sky
-uniform samplerCubeArray insides;  // [node] xyz: normal of the body's surface, w: distance in m
-uniform int cube;                  // of the batch's node, or of one near it; -1: none, the sky is all around
-uniform int knowsInside;           // 1: the cube is the node's own
+uniform samplerCubeArray surroundings;  // [node] rgb: radiance, a: distance in m, far beyond the scene: the sky
+uniform samplerCubeArray insides;       // [node] xyz: normal of the body's surface, w: distance in m
+uniform int cube;                       // of the batch's node, or of one near it; -1: none, the sky is all around
+uniform int isOwnCube;                  // 1: of the node itself
 uniform vec3 cubeCenter;
 
 const int steps = 12;
@@ -11,13 +10,10 @@ const int halvings = 5;
 const int mostReflectionsWithin = 3;
 const float beyondScene = 1e15;  // m
 
-float distanceSeen(samplerCubeArray distances, vec3 way) {
-  return textureLod(distances, vec4(way, float(cube)), 0.0).a;
-}
+float distanceSeen(samplerCubeArray distances, vec3 way) { return textureLod(distances, vec4(way, float(cube)), 0.0).a; }
 
-// Distance along a ray to the first place where it goes behind what the middle of the cube sees, in steps of
-// one angle as the middle sees them. Where it does so at the edge of something it may come out again on the
-// other side.
+// Distance along a ray to the first place where it goes behind what the middle of the cube sees, in steps of one angle
+// as the middle sees them. Where it does so at the edge of something it may come out again on the other side.
 float distanceAlong(samplerCubeArray distances, vec3 from, vec3 way) {
   float start = dot(from, way);
   vec3 aside = from - start * way;  // from the middle to the ray where it is nearest
@@ -37,10 +33,8 @@ float distanceAlong(samplerCubeArray distances, vec3 from, vec3 way) {
       for (int k = 0; k < halvings; ++k) {
         float middle = 0.5 * (near + far);
         float there = distanceSeen(distances, cos(middle) * way + sin(middle) * aside);
-        if (there >= beyondScene || there * sin(middle) > offset)
-          near = middle;
-        else
-          far = middle;
+        if (there >= beyondScene || there * sin(middle) > offset) near = middle;
+        else far = middle;
       }
       float radius = distanceSeen(distances, cos(near) * way + sin(near) * aside);
       // Where the surface goes on, both distances are nearly the ray's.
@@ -52,8 +46,7 @@ float distanceAlong(samplerCubeArray distances, vec3 from, vec3 way) {
   return inside ? 2.0 * beyondScene : max(distanceSeen(distances, way) - start, 0.0);
 }
 
-// Whether something stands between the cube's middle and a point of the node, so that it knows little of what
-// that sees.
+// Whether something stands between the cube's middle and a point of the node, so that it knows little of what that sees.
 bool hiddenFromCube(vec3 point) {
   vec3 from = point - cubeCenter;
   return cube >= 0 && distanceSeen(surroundings, from) < 0.97 * length(from);
@@ -81,10 +74,7 @@ vec3 surroundingWithin(vec3 point, vec3 way, float solidAngle) {
   float along = distanceAlong(surroundings, from, way);
   bool isSky = along >= beyondScene;
   vec3 seen = isSky ? way : from + along * way;
-  float spread =
-      isSky
-          ? 1.0
-          : along * along / max(dot(seen, seen), 1e-30);  // what is near is a small part of the middle's view
+  float spread = isSky ? 1.0 : along * along / max(dot(seen, seen), 1e-30);  // what is near is a small part of the middle's view
   float texel = texelOfCube();
   float level = max(0.5 * log2(max(solidAngle * spread, 1e-9) / (texel * texel)), 0.0);
   vec4 found = textureLod(surroundings, vec4(seen, float(cube)), level);
@@ -115,11 +105,11 @@ vec3 leaveBody(inout vec3 point, vec3 way, vec3 absorption, inout vec3 passed) {
   return dot(n, n) > 1e-6 ? normalize(n) : normalize(point - cubeCenter);
 }
 
-// Radiance that comes through a body of glass whose outward normal is n: where it leaves the body, or after
-// reflections within. `passed`: share that the body lets through.
+// Radiance that comes through a body of glass whose outward normal is n: where it leaves the body, or after reflections
+// within. `passed`: share that the body lets through. Without a cube of its own it is straight to look through.
 vec3 radianceThroughBody(vec3 point, vec3 n, vec3 toEye, float ior, vec3 absorption, out vec3 passed) {
   passed = vec3(1.0);
-  if (cube < 0 || knowsInside == 0) return surroundingRadiance(point, -toEye, 0.0);
+  if (cube < 0 || isOwnCube == 0) return surroundingRadiance(point, -toEye, 0.0);
   vec3 way = refract(-toEye, n, 1.0 / ior);
   for (int i = 0; i <= mostReflectionsWithin; ++i) {
     vec3 back = leaveBody(point, way, absorption, passed);

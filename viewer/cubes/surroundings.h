@@ -32,8 +32,7 @@ enum class Reflecting : std::uint8_t {
 /// Beside the radiance every texel has its distance, so that a ray from the surface, not from the middle,
 /// finds what it meets (Szirmay-Kalos et al. 2005, "Approximate Ray-Tracing on the GPU with Distance
 /// Impostors"). Among mirrors, a body of glass has another one, of its own surface as seen from within, where
-/// rays leave it; and nodes without a map take the nearest of the others', where glass is straight to look
-/// through.
+/// rays leave it. Smaller nodes borrow the map that lies nearest, in which they are not seen.
 class Surroundings final : public TechniquePass {
  public:
   static constexpr int mostNodes = 16;  ///< those of the largest surface
@@ -81,6 +80,8 @@ class Surroundings final : public TechniquePass {
   void makeMaps();
   void findNodes();
   void keepLargest(std::size_t most);
+  void findCenter(Node& node) const;
+  const Node* nodeWith(const Batch& batch) const;
   void leaveOutAlone();
   bool hasSurroundings(const Node& node) const;
   void place();
@@ -103,6 +104,8 @@ class Surroundings final : public TechniquePass {
   const DrawnTransfer* transfer_ = nullptr;  ///< the shadows that they were drawn with
   bool coarse_ = false;                      ///< those were of a draft
   std::vector<Node> nodes_;
+  std::vector<Node> borrowing_;  ///< mirrors and glass without a map
+  std::vector<int> borrowers_;   ///< their numbers
   std::size_t leftOut_ = 0;
   std::size_t alone_ = 0;  ///< nodes about which too little lies
   int side_ = side;
@@ -111,7 +114,8 @@ class Surroundings final : public TechniquePass {
   std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node has no map
   bool placed_ = false;        ///< centres are those of the scene
   bool insidesDrawn_ = false;  ///< for these centres
-  std::unique_ptr<gl::Framebuffer> target_, coarseTarget_;
+  std::unique_ptr<gl::Framebuffer> target_;
+  std::unique_ptr<gl::Framebuffer> quickTarget_;  ///< of faces that are seen in other maps alone
   std::unique_ptr<gl::Program> insideProgram_;
   gl::Object<gl::FramebufferTraits> copyTarget_;
   gl::Texture cubes_;               ///< [node] radiance, distance in m

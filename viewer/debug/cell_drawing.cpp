@@ -30,7 +30,7 @@ void CellDrawing::draw(const DebugTile& tile) {
   tile.drawer.useFrame(tile.view, raster.tile(tile.view.height), {}, tile.samples());
   BatchLook surfaces;
   surfaces.shader = "surface_places.frag";
-  surfaces.read = {Feature::BaseColorTexture, Feature::Cutouts};
+  surfaces.ofSurfaces = {Feature::BaseColorTexture, Feature::Cutouts};
   batches_.drawInto(pass_.places(raster), tile.order.opaque, surfaces);
   pass_.drawPhotons(raster, pixelWidth, scene_.triangleNormals());
   tile.target.bind();

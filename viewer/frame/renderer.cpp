@@ -336,7 +336,10 @@ TileLook Renderer::lookOf(const Drawing& drawing, std::span<const ShadedLight> l
   look.variant.showsParts = look.factors != wholePicture;
   if (drawing.picture.transfer != nullptr) look.inputs.push_back(drawing.picture.transfer);
   look.inputs.insert(look.inputs.end(), drawing.passes.begin(), drawing.passes.end());
-  if (drawing.withoutEmission) look.read.remove(Feature::Emission);
+  if (drawing.withoutEmission) {
+    look.variant.features.remove(Feature::Emission);
+    look.ofSurfaces.remove(Feature::Emission);
+  }
   return {look, look};
 }
 
@@ -383,7 +386,7 @@ SlicedWork Renderer::drawScene(Drawing drawing, Tile tile, const gl::Framebuffer
                     : transfer != nullptr  ? transfer->turnsInFaces()
                                            : DrawnTransfer::usualTurnsInFaces;
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
-  look.opaque.fewPrograms = look.blended.fewPrograms = look.opaque.depthsFirst;
+  look.opaque.sharesPrograms = look.blended.sharesPrograms = showsAllLight(view.shading);
   const ShownTriangles shown(scene_.blocks(), tileFromScene(view, tile, compiled_));
   look.opaque.shown = look.blended.shown = &shown;
   const double slice = drawing.picture.pace.slice;

@@ -38,8 +38,8 @@ void BatchDrawer::draw(const std::vector<const Batch*>& batches, const BatchLook
   const gl::Program* used = nullptr;
   for (const Batch* batch : batches) {
     ShaderVariant variant = look.variant;
-    const std::vector<Features>& features = look.fewPrograms ? sharedFeatures_ : surfaceFeatures_;
-    variant.features = variant.features | (features[batch->surface] & look.read);
+    const std::vector<Features>& features = look.sharesPrograms ? sharedFeatures_ : surfaceFeatures_;
+    variant.features = variant.features | (features[batch->surface] & look.ofSurfaces);
     if (batch->reflectingNode < 0) variant.features.remove(Feature::LocalReflections);
     const gl::Program& program = programs_.of(look.shader, variant);
     if (used != &program) {

@@ -19,11 +19,11 @@ struct BatchLook {
   const char* shader = "";                  ///< of fragments
   ShaderVariant variant;                    ///< without the features of surfaces
   std::vector<const SurfaceInput*> inputs;  ///< in the order in which they are bound
-  Features read = Features::all();          ///< of surfaces, that the shader is to know
+  Features ofSurfaces = Features::all();    ///< that the shader is to know
   glm::ivec4 causticCorner{0};              ///< of surface.frag
-  int layer = 0;                          ///< of screen_surface.frag; those behind the first have backs, too
-  bool depthsFirst = false;               ///< nothing hidden is shaded
-  bool fewPrograms = false;               ///< surfaces share programs that know more than they have
+  int layer = 0;             ///< of screen_surface.frag; those behind the first have backs, too
+  bool depthsFirst = false;  ///< nothing hidden is shaded
+  bool sharesPrograms = false;  ///< by sharedFeatures(); the shader asks materials, too, what they have
   const ShownTriangles* shown = nullptr;  ///< those that are drawn; nullptr: all
   LayerFactors factors = wholePicture;    ///< of the picture's layers, where the variant shows parts
 };

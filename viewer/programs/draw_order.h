@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "relight/vertex_lights.h"
@@ -18,15 +20,17 @@ struct DrawOrder {
 
 /// Triangles that are left out of the cube map around them.
 struct LeftOut {
-  int node = -1;            ///< of those that have a cube map; -1: none
-  VertexRange object = {};  ///< whose triangles are not; of none: there is none
-  int reflectingNode = -1;  ///< Batch::reflectingNode of those that are not; -1: none
+  int node = -1;                           ///< of those that have a cube map; -1: none
+  VertexRange object = {};                 ///< whose triangles are not; of none: there is none
+  int reflectingNode = -1;                 ///< Batch::reflectingNode of those that are not; -1: none
+  std::span<const int> furtherNodes = {};  ///< Batch::node of further ones
 
   bool any() const { return node >= 0 || object.triangleCount > 0 || reflectingNode >= 0; }
   bool has(const Batch& batch) const {
     return (node >= 0 && batch.node == node) ||
            (reflectingNode >= 0 && batch.reflectingNode == reflectingNode) ||
-           batch.firstTriangle - object.firstTriangle < object.triangleCount;
+           batch.firstTriangle - object.firstTriangle < object.triangleCount ||
+           std::ranges::find(furtherNodes, batch.node) != furtherNodes.end();
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace prelight::viewer {
 namespace {
@@ -34,19 +35,15 @@ TriangleBlocks::TriangleBlocks(const CompiledScene& compiled)
   }
 }
 
-bool TriangleBlocks::mayShow(std::size_t block, const glm::mat4& clipFromScene) const {
+std::vector<bool> TriangleBlocks::shownBy(const glm::mat4& clipFromScene) const {
   const glm::mat4 rows = glm::transpose(clipFromScene);
   const std::array<glm::vec4, 5> sides = {rows[3], rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
                                           rows[3] - rows[1]};
-  const Bounds& bounds = bounds_[block];
-  return std::ranges::all_of(
-      sides, [&](const glm::vec4& side) { return largestOver(bounds.lower, bounds.upper, side) >= 0.0f; });
-}
-
-ShownTriangles::ShownTriangles(const TriangleBlocks& blocks, const glm::mat4& clipFromScene)
-    : shown_(blocks.count()) {
-  for (std::size_t block = 0; block < shown_.size(); ++block)
-    shown_[block] = blocks.mayShow(block, clipFromScene);
+  std::vector<bool> shown;
+  for (const Bounds& bounds : bounds_)
+    shown.push_back(std::ranges::all_of(
+        sides, [&](const glm::vec4& side) { return largestOver(bounds.lower, bounds.upper, side) >= 0.0f; }));
+  return shown;
 }
 
 void ShownTriangles::forEach(const TriangleRange& range,

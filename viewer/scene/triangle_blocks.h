@@ -23,11 +23,9 @@ class TriangleBlocks {
   TriangleBlocks() = default;
   explicit TriangleBlocks(const CompiledScene& compiled);
 
-  std::size_t count() const { return bounds_.size(); }
-
-  /// Whether a block may reach into a view, whose rows are those of its clip matrix; its near and far planes
-  /// leave nothing out. True also where the block touches a side but for rounding.
-  bool mayShow(std::size_t block, const glm::mat4& clipFromScene) const;
+  /// [block], whether it may reach into the view of a clip matrix. Near and far planes leave nothing out, nor
+  /// do sides that a block touches but for rounding.
+  std::vector<bool> shownBy(const glm::mat4& clipFromScene) const;
 
  private:
   struct Bounds {
@@ -40,7 +38,8 @@ class TriangleBlocks {
 /// Which triangles of a scene a view may show.
 class ShownTriangles {
  public:
-  ShownTriangles(const TriangleBlocks& blocks, const glm::mat4& clipFromScene);
+  ShownTriangles(const TriangleBlocks& blocks, const glm::mat4& clipFromScene)
+      : shown_(blocks.shownBy(clipFromScene)) {}
 
   /// Calls `draw` for the parts of a range that may be shown, in their order.
   void forEach(const TriangleRange& range, const std::function<void(const TriangleRange&)>& draw) const;

@@ -93,10 +93,11 @@ float unmasked(float from, float to, float alpha) {
   return to <= 0.0 ? 0.0 : to * (from + terms) / (from * smithTerm(to, alpha) + to * terms);
 }
 
-// Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside. What
+// Radiance that comes through a body from a refracted direction; straight: the way through a body without a cube of its own;
+// solidAngle: of what the way stands for outside. What
 // facets mask on the way out is not taken off: few ways with weights as unlike as those would show one by one.
-vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle) {
-  if (cube < 0 || knowsInside == 0) return surroundingWithin(point, way, solidAngle);
+vec3 throughRoughBody(vec3 point, vec3 way, vec3 straight, float ior, float roughness, vec3 u, float solidAngle) {
+  if (cube < 0 || isOwnCube == 0) return surroundingWithin(point, straight, solidAngle);
   vec3 passed = vec3(1.0), sum = vec3(0.0);
   for (int i = 0; i <= mostInRoughBody; ++i) {
     vec3 n = leaveBody(point, way, absorption, passed);
@@ -126,7 +127,9 @@ vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, v
   float from = dot(wo, h), to = -dot(way, h), both = from - ior * to;
   // Solid angle outside for one of normals ([3], Eq. 17), once the light has left the body, which bends it at both ends.
   float outside = 2.0 * both * both / max(to, 1e-4);
-  return weight * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, alpha));
+  vec3 mirrored = 2.0 * from * h - wo;
+  vec3 straight = vec3(mirrored.xy, -mirrored.z);
+  return weight * throughRoughBody(vPosition, frame * way, frame * straight, ior, roughness, u, outside * spanOf(wo, h, alpha));
 }
 
 // Radiance that comes through a body of tint 1. reflected: what all its facets reflect of surroundings of one radiance.

@@ -210,13 +210,13 @@ void runBench(const BenchCommand& command, Context& context) {
   const Device device = Device::open(session.deviceOptions());
   if (!command.plots.empty()) makeOutputFolder("--plot", command.plots);
   if (!command.truths.empty()) makeOutputFolder("--truths", command.truths);
+  warnOfMissingPython(command, parts, session);
   const StopSignals::SafePoints safePoints(context.signals);  // suites write files of their own
   BenchReport report(command.json, parts, options, device.info());
-  context.signals.setParting(fmt::format("prelight: {}", measuredBefore));
+  if (!command.json.empty()) context.signals.setParting(fmt::format("prelight: {}", measuredBefore));
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
   session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);
-  warnOfMissingPython(command, parts, session);
   std::exception_ptr stopped;
   std::vector<std::string> broken;
   try {

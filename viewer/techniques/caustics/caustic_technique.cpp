@@ -61,7 +61,7 @@ SlicedWork CausticTechnique::drawTile(TileState tile, SceneDrawer& drawer, TileL
     drawer.useFrame(view, rasters.back().tile(view.height), {}, samples);
     BatchLook surfaces;
     surfaces.shader = "surface_places.frag";
-    surfaces.read = {Feature::BaseColorTexture, Feature::Cutouts};
+    surfaces.ofSurfaces = {Feature::BaseColorTexture, Feature::Cutouts};
     batches_.drawInto(pass_->places(rasters.back()), tile.opaque, surfaces);
     pass_->drawPhotons(rasters.back(), pixelWidth, scene_.triangleNormals());
   }
