@@ -1,6 +1,7 @@
 // Shadow maps: of lights that move, with coarser maps until the view stands still, and of few and many lamps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>

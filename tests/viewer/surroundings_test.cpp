@@ -414,7 +414,7 @@ TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
   EXPECT_TRUE(renderer.plan(view)[1].runs);
 }
 
-/// What a picture of a scene shows at a place.
+/// Returns the colour of the pixel in which a picture shows a place.
 glm::vec3 shownAt(const Ball& scene, const Picture& picture, const glm::dvec3& place) {
   const viewer::CameraMatrices camera =
       viewer::cameraMatrices(scene.quad.scene.cameras[0], scene.quad.compiled, 1.0);

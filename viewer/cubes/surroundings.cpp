@@ -40,7 +40,6 @@ Surroundings::Surroundings(const RenderScene& scene, const CompiledScene& compil
 void Surroundings::chooseNodes() {
   nodes_.clear();
   borrowing_.clear();
-  borrowers_.clear();
   leftOut_ = alone_ = 0;
   findNodes();
   keepLargest(static_cast<std::size_t>(reflecting_ == Reflecting::Mirrors ? mostNodes : mostTried));
@@ -58,9 +57,11 @@ void Surroundings::makeMaps() {
   const bool isRough = reflecting_ == Reflecting::Lobes && std::ranges::none_of(nodes_, &Node::narrow);
   side_ = isRough ? sideOfRough : side;
   target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
-  quickTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
   cubes_ = makeCubeMaps(side_, nodes_.size(), true);
-  if (reflecting_ == Reflecting::Lobes) lobes_.emplace(side_, nodes_.size());
+  if (reflecting_ == Reflecting::Lobes)
+    lobes_.emplace(side_, nodes_.size());
+  else
+    quickTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
   const bool glass = std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.glass; });
   insides_ = makeCubeMaps(side_, glass ? nodes_.size() : 1, false);
   if (!glass) return;
@@ -92,10 +93,8 @@ void Surroundings::findNodes() {
 void Surroundings::keepLargest(std::size_t most) {
   if (nodes_.size() <= most) return;
   leftOut_ += nodes_.size() - most;
-  if (reflecting_ == Reflecting::Mirrors) {
+  if (reflecting_ == Reflecting::Mirrors)
     borrowing_.assign(nodes_.begin() + static_cast<std::ptrdiff_t>(most), nodes_.end());
-    for (const Node& node : borrowing_) borrowers_.push_back(node.node);
-  }
   nodes_.resize(most);
 }
 
@@ -239,7 +238,7 @@ std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& pictur
   insidesDrawn_ = true;
   std::size_t drawn = 0;
   for (; waiting_ > 0 && drawn < mostFaces; --waiting_, ++drawn) {
-    // What a round draws is seen in other maps alone if another round follows.
+    // Faces of a round before the last are seen only in the maps that the next round draws.
     const bool isQuick = !lobes_ && !picture.pace.spread && waiting_ > facesOfARound();
     drawFace(next_, isQuick ? *quickTarget_ : *target_, picture, drawer);
     if (lobes_ && next_ % facesOfACube == facesOfACube - 1) lobes_->filter(next_ / facesOfACube);
@@ -264,7 +263,9 @@ void Surroundings::drawFace(std::size_t face, const gl::Framebuffer& target, con
   const Node& node = nodes_[face / facesOfACube];
   const Camera camera = cubeFaceCamera(compiled_.origin + glm::dvec3(node.center), face % facesOfACube,
                                        nearestInCube(compiled_, node.radius));
-  const LeftOut mirrors{.node = node.node, .furtherNodes = borrowers_},
+  std::vector<int> borrowers;
+  for (const Node& borrower : borrowing_) borrowers.push_back(borrower.node);
+  const LeftOut mirrors{.node = node.node, .furtherNodes = borrowers},
       lobes{.reflectingNode = node.seesItself ? -1 : node.node};
   const int pixels = std::min(side_, target.width());
   drawer.drawFace(picture, {camera, pixels, lobes_ ? lobes : mirrors}, target);
@@ -314,16 +315,7 @@ void Surroundings::addFeatures(Features& features) const {
   features.add(Feature::LocalReflections, lobes_.has_value());
 }
 
-/// The node whose map was drawn around a batch; nullptr: none was.
-const Surroundings::Node* Surroundings::ownMap(const Batch& batch) const {
-  if (nodeOf(batch) < 0) return nullptr;
-  const std::span<const Node> drawn = std::span(nodes_).first(facesSeen_ / facesOfACube);
-  const auto found =
-      std::ranges::find_if(drawn, [&](const Node& node) { return node.node == nodeOf(batch); });
-  return found == drawn.end() ? nullptr : &*found;
-}
-
-/// The node of a batch, which has a map or borrows one; nullptr: neither.
+/// Returns the node of a batch, which has a map or borrows one; nullptr: neither.
 const Surroundings::Node* Surroundings::nodeWith(const Batch& batch) const {
   if (nodeOf(batch) < 0) return nullptr;
   for (const std::vector<Node>* nodes : {&nodes_, &borrowing_})
@@ -332,21 +324,22 @@ const Surroundings::Node* Surroundings::nodeWith(const Batch& batch) const {
   return nullptr;
 }
 
-/// The node with a map that lies nearest to that of a batch, which has none.
-const Surroundings::Node* Surroundings::nearestMap(const Batch& batch) const {
-  const Node* here = nodeWith(batch);
-  if (here == nullptr || reflecting_ == Reflecting::Lobes) return nullptr;
+/// Returns the node whose map shows what lies around a node: itself once its map was drawn, else, among
+/// mirrors, the nearest with one. nullptr: there is none.
+const Surroundings::Node* Surroundings::mapFor(const Node& node) const {
   const std::span<const Node> drawn = std::span(nodes_).first(facesSeen_ / facesOfACube);
-  const auto distance = [&](const Node& node) { return glm::distance(node.center, here->center); };
-  const auto found = std::ranges::min_element(drawn, {}, distance);
-  return found == drawn.end() ? nullptr : &*found;
+  const auto own = std::ranges::find_if(drawn, [&](const Node& other) { return other.node == node.node; });
+  if (own != drawn.end()) return &*own;
+  if (reflecting_ == Reflecting::Lobes || drawn.empty()) return nullptr;
+  const auto distance = [&](const Node& other) { return glm::distance(other.center, node.center); };
+  return &*std::ranges::min_element(drawn, {}, distance);
 }
 
 void Surroundings::set(const gl::Program& program, const Batch& batch) const {
-  const Node* own = ownMap(batch);
-  const Node* shown = own != nullptr ? own : nearestMap(batch);
+  const Node* node = nodeWith(batch);
+  const Node* shown = node != nullptr ? mapFor(*node) : nullptr;
   program.set("cube", shown != nullptr ? static_cast<int>(shown - nodes_.data()) : -1);
-  program.set("isOwnCube", own != nullptr ? 1 : 0);
+  program.set("isOwnCube", shown != nullptr && shown == node ? 1 : 0);
   if (shown == nullptr) return;
   program.set("cubeCenter", shown->center);
   program.set("cubeReach", glm::length(compiled_.boundsMax - compiled_.boundsMin));

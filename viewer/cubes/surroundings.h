@@ -94,8 +94,7 @@ class Surroundings final : public TechniquePass {
   void drawFace(std::size_t face, const gl::Framebuffer& target, const PictureState& picture,
                 SceneDrawer& drawer);
   void drawInside(std::size_t place);
-  const Node* ownMap(const Batch& batch) const;
-  const Node* nearestMap(const Batch& batch) const;
+  const Node* mapFor(const Node& node) const;
 
   const RenderScene& scene_;
   const CompiledScene& compiled_;
@@ -105,7 +104,6 @@ class Surroundings final : public TechniquePass {
   bool coarse_ = false;                      ///< those were of a draft
   std::vector<Node> nodes_;
   std::vector<Node> borrowing_;  ///< mirrors and glass without a map
-  std::vector<int> borrowers_;   ///< their numbers
   std::size_t leftOut_ = 0;
   std::size_t alone_ = 0;  ///< nodes about which too little lies
   int side_ = side;

@@ -7,7 +7,7 @@
 namespace prelight::viewer {
 namespace {
 
-/// Of the values that are added up, far above what rounding of them takes away.
+/// The tolerance, as a share of the sizes of the terms: far above the rounding of their sum.
 constexpr float roundingShare = 1e-5f;
 
 /// The largest value of dot(plane, (p, 1)) over the points of a box, and a little more.

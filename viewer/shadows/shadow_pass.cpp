@@ -20,7 +20,7 @@ bool hasHoles(const Surface& surface) {
 
 bool hasClipControl() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"); }
 
-/// As shadow.vert has it; its third row is that of depths, which leave nothing out.
+/// Returns the clip matrix of shadow.vert, whose row of depths is 0: no triangle is left out by its depth.
 glm::mat4 clipOf(const ShadowEye& eye) {
   const bool perspective = eye.near > 0.0f;
   const auto row = [&](const glm::vec3& axis, float w) {
