@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
+#include <system_error>
 
 namespace prelight {
 
@@ -13,6 +15,7 @@ namespace {
 // [3] RFC 9649 (WebP), 2.5 to 2.7
 // [4] ISO/IEC 14496-12 (boxes), 4.2, 8.11; ISO/IEC 23008-12 (ispe), 6.5.3
 // [5] KTX 2.0, 3
+// [6] Ward, "Real Pixels", Graphics Gems II (1991), and the file format of Radiance
 
 struct Magic {
   std::string_view bytes;
@@ -171,6 +174,36 @@ std::optional<PictureExtent> avifExtent(const Header& header) {
   return largest;
 }
 
+/// Reads the numbers of "-Y 4 +X 8", lines and texels per line.
+std::optional<std::array<std::uint64_t, 2>> hdrSides(std::string_view line) {
+  std::array<std::uint64_t, 2> sides{};
+  for (std::uint64_t& side : sides) {
+    constexpr std::size_t axis = 3;
+    if (line.size() < axis || line[2] != ' ') return std::nullopt;
+    line.remove_prefix(axis);
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), side);
+    if (error != std::errc{} || side > mostPictureTexels) return std::nullopt;
+    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+    while (line.starts_with(' ')) line.remove_prefix(1);
+  }
+  return sides;
+}
+
+/// Reads an HDR's header [6]: lines, an empty one, and the size. A line of texels has four bytes per texel, or
+/// four bytes and runs of at most 127 equal bytes for each of four components.
+std::optional<PictureExtent> hdrExtent(std::span<const std::uint8_t> bytes) {
+  constexpr std::uint64_t longestRun = 127, pixelBytes = 4, runBytes = 2;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t end = text.find("\n\n");
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = text.substr(end + 2);
+  const auto sides = hdrSides(rest.substr(0, rest.find('\n')));
+  if (!sides) return std::nullopt;
+  const auto [height, width] = *sides;
+  const std::uint64_t runs = (width + longestRun - 1) / longestRun;
+  return PictureExtent{width, height, height * std::min(pixelBytes * width, pixelBytes * (1 + runBytes * runs))};
+}
+
 }  // namespace
 
 PictureFormat pictureFormat(std::span<const std::uint8_t> bytes) {
@@ -196,6 +229,7 @@ std::optional<PictureExtent> pictureExtent(std::span<const std::uint8_t> bytes) 
   if (format == PictureFormat::WebP) extent = webpExtent(Header(bytes));
   if (format == PictureFormat::Ktx2) extent = ktx2Extent(Header(bytes));
   if (format == PictureFormat::Avif) extent = avifExtent(Header(bytes));
+  if (format == PictureFormat::Hdr) extent = hdrExtent(bytes);
   if (extent && extent->texels() == 0) return std::nullopt;
   return extent;
 }

@@ -27,7 +27,7 @@ PictureFormat pictureFormat(std::span<const std::uint8_t> bytes);
 /// Returns a name for messages, such as "PNG" or "an unknown format".
 const char* nameOf(PictureFormat format);
 
-/// Size that the header of a PNG, JPEG, WebP, AVIF or KTX2 picture claims.
+/// Size that the header of a PNG, JPEG, WebP, AVIF, KTX2 or HDR picture claims.
 struct PictureExtent {
   std::uint64_t width = 0;
   std::uint64_t height = 0;
@@ -44,10 +44,10 @@ constexpr std::uint64_t mostPictureTexels = std::uint64_t{1} << 28;  ///< per pi
 constexpr std::uint64_t longestSide = std::uint64_t{1} << 15;
 
 /// Returns the largest number of values (texels x channels) that a floating-point picture in a file of
-/// `fileBytes` may have: 8192 x 2730 x RGB in any file, and beyond that as many as ZIP can compress 16-bit
-/// numbers to.
+/// `fileBytes` may have: 2048 x 2048 x RGBA in any file, which takes 64 MB, and beyond that as many as ZIP can
+/// compress 16-bit numbers to.
 constexpr std::uint64_t mostNumbers(std::uint64_t fileBytes) {
-  return (std::uint64_t{1} << 26) + 512 * fileBytes;
+  return (std::uint64_t{1} << 24) + 512 * fileBytes;
 }
 
 }  // namespace prelight

@@ -9,11 +9,33 @@
 
 #include "base/files.h"
 #include "images/exr.h"
+#include "images/exr_header.h"
 #include "images/image_library.h"
 #include "images/picture_codecs.h"
 #include "prelight/error.h"
 
 namespace prelight {
+
+namespace {
+
+/// Throws InputError for a file that is shorter than the picture that its header claims.
+void checkHdrHeader(const std::filesystem::path& path) {
+  constexpr std::uint64_t longestHeader = 1 << 16;
+  const std::string where = path.string();
+  const std::uint64_t bytes = std::filesystem::file_size(path);
+  const std::optional<PictureExtent> extent = pictureExtent(readFileBytes(path, where, longestHeader));
+  if (!extent)
+    throw InputError(where, "cannot be read as a picture: its header is broken or cut short",
+                     "the file is damaged, or write it again");
+  if (extent->texels() > mostPictureTexels || bytes < extent->leastBytes)
+    throw InputError(where,
+                     fmt::format("cannot be read as a picture: {} x {} texels in {} bytes, expected at most "
+                                 "{} texels and {} bytes at least",
+                                 extent->width, extent->height, bytes, mostPictureTexels, extent->leastBytes),
+                     "the file is damaged, or scale the picture down");
+}
+
+}  // namespace
 
 Pixels readPixels(const std::filesystem::path& path) {
   const PictureFormat format = requirePictureFile(
@@ -37,6 +59,8 @@ PictureFormat requirePictureFile(const std::filesystem::path& path,
   }
   if (format == PictureFormat::Png || format == PictureFormat::Jpeg)
     checkExtent(readFileBytes(path, where), where);
+  if (format == PictureFormat::Hdr) checkHdrHeader(path);
+  if (format == PictureFormat::Exr) checkExrHeaders(path);
   return format;
 }
 

@@ -225,7 +225,7 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
 /// or do not test code.
 TEST(Rooms, Tests_MirrorThem) {
   const std::set<std::string> others = {
-      "accuracy", "architecture", "benchmarks", "clients", "coverage", "lab",     "materials", "mutation",
+      "accuracy", "architecture", "benchmarks", "clients", "coverage", "fuzz", "lab",     "materials", "mutation",
       "oracle",   "portability",  "python",     "runner",  "stress",   "support", "transport", "viewer"};
   for (const std::string& file : sourcesBelow("tests")) {
     const std::string room = roomOf(file).substr(std::string("tests/").size());

@@ -210,20 +210,25 @@ TEST(WebPage, WideSky_IsAveragedDownAndKeepsItsCoefficients) {
   EXPECT_NEAR(described["coefficients"][0][0].get<double>(), 2.0 * std::sqrt(4.0 * std::numbers::pi), 1e-6);
 }
 
+/// Names of scenes and nodes are a stranger's. "<!--" and "<script" would make a browser look for another end
+/// of the script that they stand in.
 TEST(WebPage, Text_IsWholeByItself) {
+  constexpr const char* hostile = "</title><script><!--<script></script>";
   QuadScene quad = bakedQuad();
   const GltfDocument document;
-  const std::string page = webPage(pageScene(contentsOf(quad.inputs(), document, {}, "</title><script>")));
+  const std::string page = webPage(pageScene(contentsOf(quad.inputs(), document, {}, hostile)));
   EXPECT_THAT(page, HasSubstr("&lt;/title>"));
   for (const char* part :
-       {"http://", "https://", "import ", "fetch(", "XMLHttpRequest", "</title><script>", "url("})
+       {"http://", "https://", "import ", "fetch(", "XMLHttpRequest", "</title><script>", "<!--", "url("})
     EXPECT_THAT(page, Not(HasSubstr(part)));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, Not(HasSubstr("connect-src")));
   EXPECT_FALSE(std::regex_search(page, std::regex("<[^>]* (src|href)=")));
   const auto within = [&](const std::string& start) {
     const std::size_t from = page.find(start) + start.size();
     return page.substr(from, page.find("</script>", from) - from);
   };
-  const PageScene scene = pageScene(contentsOf(quad.inputs(), document, {}, "</title><script>"));
+  const PageScene scene = pageScene(contentsOf(quad.inputs(), document, {}, hostile));
   EXPECT_EQ(Json::parse(within("<script type=\"application/json\" id=\"scene\">")), scene.description);
   EXPECT_EQ(within("<script type=\"text/plain\" id=\"data\">"), toBase64(scene.data.bytes()));
 }

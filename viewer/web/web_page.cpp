@@ -27,11 +27,14 @@ std::string joinedScripts() {
   return text;
 }
 
-/// Within a script element, which "</" could end.
+/// Returns JSON for a script element, which "</" could end, and which "<!--" or "<script" could keep open.
 std::string scriptJson(const nlohmann::ordered_json& json) {
   std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
-    text.insert(at + 1, 1, '\\');
+  constexpr std::string_view less = "\\u003c";
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
+    const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+    if (next == '/' || next == '!' || next == 's' || next == 'S') text.replace(at, 1, less);
+  }
   return text;
 }
 

@@ -22,7 +22,7 @@
 namespace prelight::cli {
 namespace {
 
-std::string optionsOf(const ExportCarrier& carrier) {
+std::string carrierOptions(const ExportCarrier& carrier) {
   return carrier.target.empty() ? "--as " + carrier.form
                                 : fmt::format("--target {} --as {}", carrier.target, carrier.form);
 }
@@ -31,7 +31,7 @@ void printContents(const Console& console, const ExportedContents& contents) {
   for (const ContentsPart& part : contents.taken) console.line("took", part.what);
   for (const ContentsPart& part : contents.leftOut) {
     std::vector<std::string> options;
-    for (const ExportCarrier& carrier : part.carriers) options.push_back(optionsOf(carrier));
+    for (const ExportCarrier& carrier : part.carriers) options.push_back(carrierOptions(carrier));
     console.line("left out", options.empty()
                                  ? part.what
                                  : fmt::format("{} (for {})", part.what, fmt::join(options, ", ")));

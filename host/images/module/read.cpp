@@ -85,10 +85,17 @@ Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
   const auto [first, last] = std::minmax_element(rgb.begin(), rgb.end());
   const int channels = *last - *first + 1;
   const std::size_t texels = static_cast<std::size_t>(spec.width) * spec.height;
-  std::vector<float> values(texels * channels);
-  if (!input->read_image(0, 0, *first, *last + 1, OIIO::TypeDesc::FLOAT, values.data())) {
-    throw InputError(path.string(), "broken or cut short: " + input->geterror());
+  const auto readInto = [&](float* values) {
+    if (!input->read_image(0, 0, *first, *last + 1, OIIO::TypeDesc::FLOAT, values))
+      throw InputError(path.string(), "broken or cut short: " + input->geterror());
+  };
+  if (std::is_sorted(rgb.begin(), rgb.end()) && channels == 3) {  // needs half the memory
+    Pixels pixels{spec.width, spec.height, std::vector<glm::vec3>(texels)};
+    readInto(&pixels.rgb.data()->x);
+    return pixels;
   }
+  std::vector<float> values(texels * channels);
+  readInto(values.data());
   Pixels pixels{spec.width, spec.height, std::vector<glm::vec3>(texels)};
   for (std::size_t i = 0; i < texels; ++i) {
     for (int c = 0; c < 3; ++c) pixels.rgb[i][c] = values[i * channels + rgb[c] - *first];

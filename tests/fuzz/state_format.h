@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/kept_work.h"
+#include "base/state_file.h"
+#include "fuzz/target.h"
+
+namespace prelight::fuzz {
+
+/// What the states of the target belong to.
+StateKey fuzzedKey();
+constexpr const char* fuzzedKind = "bake";
+
+/// Work whose state has values of every kind that states have: numbers, truths, arrays of fixed, stored and
+/// growing length, arrays that must be finite, records of samples and sums of a fit, in nested parts of two
+/// steps. With a state it continues. `interrupt` ends it in the middle, as an interrupted run does.
+void doKeptWork(WorkKeeper& keeper, bool interrupt);
+
+/// Sets lengths, hashes and the record of the last commit so that a changed state gets past the checks of its
+/// file. Returns the size; other files than states stay as they are.
+std::size_t repairState(std::span<std::uint8_t> file);
+
+}  // namespace prelight::fuzz
