@@ -21,6 +21,7 @@ std::vector<std::string> documents() {
   std::vector<std::string> files = test::filesBelow("docs", {".md"});
   files.emplace_back("README.md");
   files.emplace_back("CONTRIBUTING.md");
+  files.emplace_back("SECURITY.md");
   return files;
 }
 
