@@ -33,9 +33,9 @@ constexpr std::uint64_t channelBytes = 16;  ///< of a channel's description behi
 struct ExrPartHeader {
   std::uint64_t width = 0, height = 0;
   std::uint64_t channels = 0;
-  std::uint64_t lines = 1;                  ///< per chunk
+  std::uint64_t lines = 1;                      ///< per chunk
   std::uint64_t tileWidth = 0, tileHeight = 0;  ///< 0: no tiles
-  std::uint64_t chunks = 0;                 ///< of attribute chunkCount; 0: there is none
+  std::uint64_t chunks = 0;                     ///< of attribute chunkCount; 0: there is none
 
   std::uint64_t texels() const { return width * height; }
 
@@ -68,7 +68,8 @@ class ExrHeaderReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(where_, "cannot be read as a picture: " + what, "the file is damaged, or write it again");
+    throw InputError(where_, "cannot be read as a picture: " + what,
+                     "the file is damaged, or write it again");
   }
 
   std::uint64_t left() { return size_ - static_cast<std::uint64_t>(file_.tellg()); }

@@ -189,8 +189,8 @@ std::optional<std::array<std::uint64_t, 2>> hdrSides(std::string_view line) {
   return sides;
 }
 
-/// Reads an HDR's header [6]: lines, an empty one, and the size. A line of texels has four bytes per texel, or
-/// four bytes and runs of at most 127 equal bytes for each of four components.
+/// Reads an HDR's header [6]: lines, an empty one, and the size. A line of texels has four bytes per texel,
+/// or four bytes and runs of at most 127 equal bytes for each of four components.
 std::optional<PictureExtent> hdrExtent(std::span<const std::uint8_t> bytes) {
   constexpr std::uint64_t longestRun = 127, pixelBytes = 4, runBytes = 2;
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -201,7 +201,8 @@ std::optional<PictureExtent> hdrExtent(std::span<const std::uint8_t> bytes) {
   if (!sides) return std::nullopt;
   const auto [height, width] = *sides;
   const std::uint64_t runs = (width + longestRun - 1) / longestRun;
-  return PictureExtent{width, height, height * std::min(pixelBytes * width, pixelBytes * (1 + runBytes * runs))};
+  return PictureExtent{width, height,
+                       height * std::min(pixelBytes * width, pixelBytes * (1 + runBytes * runs))};
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ constexpr std::uint64_t mostPictureTexels = std::uint64_t{1} << 28;  ///< per pi
 constexpr std::uint64_t longestSide = std::uint64_t{1} << 15;
 
 /// Returns the largest number of values (texels x channels) that a floating-point picture in a file of
-/// `fileBytes` may have: 2048 x 2048 x RGBA in any file, which takes 64 MB, and beyond that as many as ZIP can
-/// compress 16-bit numbers to.
+/// `fileBytes` may have: 2048 x 2048 x RGBA in any file, which takes 64 MB, and beyond that as many as ZIP
+/// can compress 16-bit numbers to.
 constexpr std::uint64_t mostNumbers(std::uint64_t fileBytes) {
   return (std::uint64_t{1} << 24) + 512 * fileBytes;
 }

@@ -3,7 +3,7 @@
 namespace prelight::fuzz {
 
 std::vector<Target> allTargets() {
-  return {baked(), draco(),   exr(),     gltf(),         ies(), ktx2(),  merl(),
+  return {baked(),   draco(),   exr(),     gltf(),    ies(), ktx2(),  merl(),
           meshopt(), options(), picture(), kernels(), sky(), state(), uri()};
 }
 

@@ -27,17 +27,60 @@ struct Glb {
 };
 
 const std::array<double, 38> numbers = {
-    0,    1,    2,     3,     4,          5,          6,           7,    8,     16,   127,  128,  255,
-    256,  1024, 65535, 65536, 2147483647, 2147483648, 4294967295., 5120, 5121,  5122, 5123, 5125, 5126,
-    -1,   -2,   0.5,   1e-30, 1e-7,       1e15,       1e19,        1e30, 1e38,  1e39, 1e308, -1e38};
+    0,   1,    2,     3,     4,          5,          6,           7,    8,    16,   127,   128,  255,
+    256, 1024, 65535, 65536, 2147483647, 2147483648, 4294967295., 5120, 5121, 5122, 5123,  5125, 5126,
+    -1,  -2,   0.5,   1e-30, 1e-7,       1e15,       1e19,        1e30, 1e38, 1e39, 1e308, -1e38};
 
-const std::array<const char*, 50> words = {
-    "POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0", "JOINTS_0", "WEIGHTS_0", "TRANSLATION",
-    "ROTATION", "SCALE", "SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4", "LINEAR", "STEP", "CUBICSPLINE",
-    "translation", "rotation", "scale", "weights", "pointer", "OPAQUE", "MASK", "BLEND", "perspective",
-    "orthographic", "directional", "point", "spot", "ATTRIBUTES", "TRIANGLES", "INDICES", "OCTAHEDRAL",
-    "QUATERNION", "EXPONENTIAL", "COLOR", "NONE", "image/png", "image/jpeg", "image/ktx2", "data:,",
-    "data:application/octet-stream;base64,AAAA", "../a", "a.bin", ""};
+const std::array<const char*, 50> words = {"POSITION",
+                                           "NORMAL",
+                                           "TANGENT",
+                                           "TEXCOORD_0",
+                                           "TEXCOORD_1",
+                                           "COLOR_0",
+                                           "JOINTS_0",
+                                           "WEIGHTS_0",
+                                           "TRANSLATION",
+                                           "ROTATION",
+                                           "SCALE",
+                                           "SCALAR",
+                                           "VEC2",
+                                           "VEC3",
+                                           "VEC4",
+                                           "MAT2",
+                                           "MAT3",
+                                           "MAT4",
+                                           "LINEAR",
+                                           "STEP",
+                                           "CUBICSPLINE",
+                                           "translation",
+                                           "rotation",
+                                           "scale",
+                                           "weights",
+                                           "pointer",
+                                           "OPAQUE",
+                                           "MASK",
+                                           "BLEND",
+                                           "perspective",
+                                           "orthographic",
+                                           "directional",
+                                           "point",
+                                           "spot",
+                                           "ATTRIBUTES",
+                                           "TRIANGLES",
+                                           "INDICES",
+                                           "OCTAHEDRAL",
+                                           "QUATERNION",
+                                           "EXPONENTIAL",
+                                           "COLOR",
+                                           "NONE",
+                                           "image/png",
+                                           "image/jpeg",
+                                           "image/ktx2",
+                                           "data:,",
+                                           "data:application/octet-stream;base64,AAAA",
+                                           "../a",
+                                           "a.bin",
+                                           ""};
 
 std::size_t below(Random& random, std::size_t count) { return random() % std::max<std::size_t>(1, count); }
 
@@ -168,7 +211,9 @@ void changeView(Glb& glb, Random& random, BlindMutate blind) {
     const Json& view = (*views)[below(random, views->size())];
     const auto numberOf = [&](const char* name) -> std::size_t {
       const auto found = view.is_object() ? view.find(name) : view.end();
-      return view.is_object() && found != view.end() && found->is_number_unsigned() ? found->get<std::size_t>() : 0;
+      return view.is_object() && found != view.end() && found->is_number_unsigned()
+                 ? found->get<std::size_t>()
+                 : 0;
     };
     first = std::min(numberOf("byteOffset"), glb.bin.size());
     count = std::min(numberOf("byteLength"), glb.bin.size() - first);

@@ -51,7 +51,8 @@ TEST_P(FuzzReplay, SeedsCutShort_AreReadOrRefused) {
   for (const fs::path& file : inputsOf("corpus", GetParam())) {
     const std::vector<std::uint8_t> bytes = bytesOf(file);
     for (std::size_t i = 0; i < cuts; ++i)
-      EXPECT_NO_THROW(runTarget(GetParam(), Bytes(bytes).first(i * bytes.size() / cuts))) << file << " cut " << i;
+      EXPECT_NO_THROW(runTarget(GetParam(), Bytes(bytes).first(i * bytes.size() / cuts)))
+          << file << " cut " << i;
   }
 }
 

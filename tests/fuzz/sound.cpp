@@ -89,19 +89,19 @@ void requireSound(const Scene& scene, const CompiledScene& compiled) {
 
 void requireSound(const Image& image) {
   require(image.width > 0 && image.height > 0, "images have texels");
-  require(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                   static_cast<std::size_t>(image.height),
+  require(image.rgba.size() ==
+              std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
           "images have as many texels as their size says");
 }
 
 void requireSound(const Bake& bake) {
   for (const BakedArray& array : arraysOf(bake))
-    for (const std::span<const float> part : array.parts) require(areFinite(part), "baked numbers are finite");
+    for (const std::span<const float> part : array.parts)
+      require(areFinite(part), "baked numbers are finite");
 }
 
 void requireSound(const Environment& sky) {
-  require(sky.radiance.size() ==
-              static_cast<std::size_t>(sky.width) * static_cast<std::size_t>(sky.height),
+  require(sky.radiance.size() == static_cast<std::size_t>(sky.width) * static_cast<std::size_t>(sky.height),
           "skies have as many texels as their size says");
   for (const float radiance : numbersOf(sky.radiance))
     require(std::isfinite(radiance) && radiance >= 0.0f, "radiance of skies is finite and not negative");

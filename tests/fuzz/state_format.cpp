@@ -126,7 +126,8 @@ std::uint64_t hashOf(std::span<const std::uint8_t> bytes) {
   return StateHash().bytes(std::as_bytes(bytes)).result();
 }
 
-/// Repairs the head of a record at `at`; returns the record's end. A length beyond the file becomes what is left.
+/// Repairs the head of a record at `at`; returns the record's end. A length beyond the file becomes what is
+/// left.
 std::size_t repairRecord(std::span<std::uint8_t> file, std::size_t at) {
   constexpr std::uint32_t longestName = 4096;
   const std::size_t left = file.size() - at - headBytes;
@@ -147,7 +148,8 @@ std::size_t repairRecord(std::span<std::uint8_t> file, std::size_t at) {
 std::size_t repairState(std::span<std::uint8_t> file) {
   const std::string_view begin(reinterpret_cast<const char*>(file.data()), std::min(file.size(), magicBytes));
   if (begin != "PRLSTATE" || file.size() < preambleBytes + 2 * slotBytes) return file.size();
-  const auto title = std::min<std::size_t>(numberAt<std::uint32_t>(file, 12), file.size() - preambleBytes - 2 * slotBytes);
+  const auto title =
+      std::min<std::size_t>(numberAt<std::uint32_t>(file, 12), file.size() - preambleBytes - 2 * slotBytes);
   setNumber(file, 12, static_cast<std::uint32_t>(title));
   setNumber(file, 16, hashOf(file.subspan(preambleBytes, title)));
   const std::size_t slot = preambleBytes + title;

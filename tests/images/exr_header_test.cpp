@@ -32,8 +32,10 @@ std::string attribute(const std::string& name, const std::string& type, const st
 
 /// Attributes of an uncompressed picture with this last column and row, and one channel.
 std::string usual(std::int32_t right, std::int32_t bottom) {
-  const std::string channel = std::string("R\0", 2) + bytesOf(2) + bytesOf(0) + bytesOf(1) + bytesOf(1) + '\0';
-  return attribute("channels", "chlist", channel) + attribute("compression", "compression", std::string(1, '\0')) +
+  const std::string channel =
+      std::string("R\0", 2) + bytesOf(2) + bytesOf(0) + bytesOf(1) + bytesOf(1) + '\0';
+  return attribute("channels", "chlist", channel) +
+         attribute("compression", "compression", std::string(1, '\0')) +
          attribute("dataWindow", "box2i", bytesOf(0) + bytesOf(0) + bytesOf(right) + bytesOf(bottom));
 }
 
@@ -71,25 +73,29 @@ TEST_F(ExrHeader, MoreChunksThanTheFileHolds_AreRefused) {
   EXPECT_THAT(refusalOf(usual(0, 1023)), HasSubstr("claims 1024 chunks of pixels"));
   EXPECT_THAT(refusalOf(usual(1, 1) + attribute("chunkCount", "int", bytesOf(2000000000)), 0x1000),
               HasSubstr("claims 2000000000 chunks of pixels"));
-  EXPECT_THAT(refusalOf(usual(1023, 1023) + attribute("tiles", "tiledesc", bytesOf(1) + bytesOf(1) + '\0'), 0x200),
-              HasSubstr("claims 1048576 chunks of pixels"));
+  EXPECT_THAT(
+      refusalOf(usual(1023, 1023) + attribute("tiles", "tiledesc", bytesOf(1) + bytesOf(1) + '\0'), 0x200),
+      HasSubstr("claims 1048576 chunks of pixels"));
 }
 
 TEST_F(ExrHeader, CutShortOrWithoutEnd_IsRefused) {
   test::writeBytes(folder_ / "a.exr", "\x76\x2F\x31\x01" + bytesOf(2) + "channels");
-  EXPECT_THAT(test::inputErrorOf([&] { (void)readPictureLayers(folder_ / "a.exr"); }), HasSubstr("cut short"));
+  EXPECT_THAT(test::inputErrorOf([&] { (void)readPictureLayers(folder_ / "a.exr"); }),
+              HasSubstr("cut short"));
   EXPECT_THAT(refusalOf(std::string(1000, 'a')), HasSubstr("a name without end"));
 }
 
 std::string hdrRefusal(const std::string& size, std::size_t bytes) {
   const test::TemporaryFolder folder;
-  test::writeBytes(folder / "a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + std::string(bytes, '\0'));
+  test::writeBytes(folder / "a.hdr",
+                   "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + std::string(bytes, '\0'));
   return test::inputErrorOf([&] { (void)readPixels(folder / "a.hdr"); });
 }
 
 /// A line of 8192 texels takes 4 bytes and 4 components of 65 runs of 2 bytes.
 TEST(HdrHeader, MoreTexelsThanTheFileHolds_AreRefused) {
-  EXPECT_THAT(hdrRefusal("-Y 2730 +X 8192", 100), HasSubstr("expected at most 268435456 texels and 1430520 bytes"));
+  EXPECT_THAT(hdrRefusal("-Y 2730 +X 8192", 100),
+              HasSubstr("expected at most 268435456 texels and 1430520 bytes"));
   EXPECT_THAT(hdrRefusal("-Y 99999999 +X 99999999", 100), HasSubstr("99999999 x 99999999 texels"));
   EXPECT_THAT(hdrRefusal("-Y 4", 100), HasSubstr("its header is broken or cut short"));
   EXPECT_EQ(hdrRefusal("-Y 2 +X 3", 24), "");

@@ -82,11 +82,12 @@ Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
   checkNumbers(path, static_cast<std::uint64_t>(std::int64_t{spec.width} * spec.height * spec.nchannels));
 
   const auto rgb = colorChannels(spec);
-  const auto [first, last] = std::minmax_element(rgb.begin(), rgb.end());
-  const int channels = *last - *first + 1;
+  const int first = *std::min_element(rgb.begin(), rgb.end());
+  const int end = *std::max_element(rgb.begin(), rgb.end()) + 1;
+  const int channels = end - first;
   const std::size_t texels = static_cast<std::size_t>(spec.width) * spec.height;
   const auto readInto = [&](float* values) {
-    if (!input->read_image(0, 0, *first, *last + 1, OIIO::TypeDesc::FLOAT, values))
+    if (!input->read_image(0, 0, first, end, OIIO::TypeDesc::FLOAT, values))
       throw InputError(path.string(), "broken or cut short: " + input->geterror());
   };
   if (std::is_sorted(rgb.begin(), rgb.end()) && channels == 3) {  // needs half the memory
@@ -98,7 +99,7 @@ Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
   readInto(values.data());
   Pixels pixels{spec.width, spec.height, std::vector<glm::vec3>(texels)};
   for (std::size_t i = 0; i < texels; ++i) {
-    for (int c = 0; c < 3; ++c) pixels.rgb[i][c] = values[i * channels + rgb[c] - *first];
+    for (int c = 0; c < 3; ++c) pixels.rgb[i][c] = values[i * channels + rgb[c] - first];
   }
   return pixels;
 }

@@ -26,9 +26,12 @@ Seed fileBytes(const std::filesystem::path& path) { return bytesOf(test::readByt
 
 /// Stream of meshopt behind the layout that the target reads.
 Seed withLayout(unsigned mode, unsigned filter, unsigned stride, std::size_t count, Seed stream) {
-  const Seed layout = {static_cast<std::uint8_t>(mode),   static_cast<std::uint8_t>(filter),
-                       static_cast<std::uint8_t>(stride), static_cast<std::uint8_t>(count - 1),
-                       0,                                 0};
+  const Seed layout = {static_cast<std::uint8_t>(mode),
+                       static_cast<std::uint8_t>(filter),
+                       static_cast<std::uint8_t>(stride),
+                       static_cast<std::uint8_t>(count - 1),
+                       0,
+                       0};
   stream.insert(stream.begin(), layout.begin(), layout.end());
   return stream;
 }
@@ -36,8 +39,9 @@ Seed withLayout(unsigned mode, unsigned filter, unsigned stride, std::size_t cou
 /// The compressed stream of a document with Draco.
 Seed dracoStream(const test::DracoEncoding& encoding) {
   const GltfDocument document = test::withDraco(test::triangleDocument(), encoding);
-  const auto view = document.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]
-                                 ["bufferView"].get<std::size_t>();
+  const auto view =
+      document.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["bufferView"]
+          .get<std::size_t>();
   const auto& json = document.json["bufferViews"][view];
   const auto first = document.bin.begin() + json.value("byteOffset", std::ptrdiff_t{0});
   return {first, first + json["byteLength"].get<std::ptrdiff_t>()};
@@ -91,9 +95,10 @@ Seed avif() {
 
 /// One block of UASTC of each of the 19 modes, by the codes of the Khronos Data Format; further bits vary.
 Seed uastcBlocks() {
-  constexpr std::pair<unsigned, unsigned> codes[] = {
-      {0x1, 4},  {0x35, 6}, {0x1D, 5}, {0x3, 5}, {0x13, 5}, {0xB, 5},  {0x1B, 5}, {0x7, 5},  {0x17, 5}, {0xF, 5},
-      {0x2, 3},  {0x0, 2},  {0x6, 3},  {0x1F, 5}, {0xD, 5}, {0x5, 7},  {0x15, 6}, {0x25, 6}, {0x9, 4}};
+  constexpr std::pair<unsigned, unsigned> codes[] = {{0x1, 4}, {0x35, 6}, {0x1D, 5}, {0x3, 5},  {0x13, 5},
+                                                     {0xB, 5}, {0x1B, 5}, {0x7, 5},  {0x17, 5}, {0xF, 5},
+                                                     {0x2, 3}, {0x0, 2},  {0x6, 3},  {0x1F, 5}, {0xD, 5},
+                                                     {0x5, 7}, {0x15, 6}, {0x25, 6}, {0x9, 4}};
   Seed blocks;
   unsigned spice = 1;
   for (const auto& [code, bits] : codes) {
@@ -128,7 +133,8 @@ void addKtx2(Seeds& seeds) {
   packed.compression = 2;
   packed.levelBytes = plain.level.size();
   packed.level.resize(ZSTD_compressBound(plain.level.size()));
-  packed.level.resize(ZSTD_compress(packed.level.data(), packed.level.size(), plain.level.data(), plain.level.size(), 3));
+  packed.level.resize(
+      ZSTD_compress(packed.level.data(), packed.level.size(), plain.level.data(), plain.level.size(), 3));
   seeds["ktx2/zstandard"] = test::ktx2File(packed);
   test::Ktx2Parts uastc;
   uastc.width = 4 * 19;
@@ -154,7 +160,8 @@ void addPictureSeeds(Seeds& seeds) {
   seeds["sky/sky.hdr"] = writtenAs(folder / "sky.hdr", picture);
   seeds["picture/jpeg.jpg"] = writtenAs(folder / "picture.jpg", picture);
   seeds["picture/webp.webp"] = writtenAs(folder / "picture.webp", picture);
-  std::vector<PictureChannel> layers = {{"sh.l0m0.R", std::vector<float>(32, 1.0f)}, {"walls.right", std::vector<float>(32, 2.0f)}};
+  std::vector<PictureChannel> layers = {{"sh.l0m0.R", std::vector<float>(32, 1.0f)},
+                                        {"walls.right", std::vector<float>(32, 2.0f)}};
   writePicture(folder / "map.exr", picture, layers);
   seeds["exr/layers.exr"] = fileBytes(folder / "map.exr");
   seeds["exr/plain.exr"] = seeds["sky/sky.exr"];
@@ -162,24 +169,41 @@ void addPictureSeeds(Seeds& seeds) {
 
 void addTextSeeds(Seeds& seeds) {
   seeds["ies/type_c.ies"] = bytesOf(
-      "IESNA:LM-63-2002\n[TEST] x\n[MORE] y\nTILT=NONE\n1 1000 1.5 3 2 1 2 0.1 0.2 0.3\n1 1 100\n0 45 90\n0 90\n10 8 6\n5 4 3\n");
-  seeds["ies/tilt.ies"] = bytesOf("IESNA91\nTILT=INCLUDE\n1\n3\n0 45 90\n1 .9 .8\n1 -1 1 2 1 1 1 0 0 0\n1 1 1\n0 90\n0\n8 4\n");
-  seeds["ies/type_a.ies"] = bytesOf("IES:LM-63-2019\nTILT=NONE\n1 -1 1 3 3 3 2 0 0 0\n1 1 1\n-90 0 90\n-90 0 90\n1 2 3\n4 5 6\n7 8 9\n");
+      "IESNA:LM-63-2002\n[TEST] x\n[MORE] y\nTILT=NONE\n1 1000 1.5 3 2 1 2 0.1 0.2 0.3\n1 1 100\n0 45 90\n0 "
+      "90\n10 8 6\n5 4 3\n");
+  seeds["ies/tilt.ies"] =
+      bytesOf("IESNA91\nTILT=INCLUDE\n1\n3\n0 45 90\n1 .9 .8\n1 -1 1 2 1 1 1 0 0 0\n1 1 1\n0 90\n0\n8 4\n");
+  seeds["ies/type_a.ies"] = bytesOf(
+      "IES:LM-63-2019\nTILT=NONE\n1 -1 1 3 3 3 2 0 0 0\n1 1 1\n-90 0 90\n-90 0 90\n1 2 3\n4 5 6\n7 8 9\n");
   seeds["ies/type_b.ies"] = bytesOf("TILT=NONE\n1,-1,1,3,2,2,2,0,0,0\n1,1,1\n-90,0,90\n0,90\n1,2,3\n4,5,6\n");
   const char* options[] = {
-      "light\npoint:1,2,3:4,5,6:radius=0.1", "light\ndirectional:0,-1,0:1,1,1:angle=0.5",
-      "light\nspot:0,2,0:0,-1,0:10,30:5,5,5:radius=0.2", "light\narea:sphere:0,1,0:0.5:3,3,3:power",
-      "light\narea:disk:0,1,0:0,-1,0:0.5:3,3,3:two-sided:exitance", "light\narea:quad:0,1,0:0,-1,0:1,2:3,3,3:turn=9",
-      "light\narea:polygon:0,0,0:1,0,0:0,1,0:3,3,3", "group\nlamps=1,0.5,0.25", "part\nreflected=0.5", "part\nall=2",
-      "compress\ncpca:64:8:byte", "compress\nvq:256", "compress\npca:4:float", "compress\nband8",
-      "pattern\nLamp 12\nLa?p*", "pattern\n1,2.5,-3e2",
-      "arguments\n--ao\n--sh\n4\n--bounces\n2\n--rays\n64\n--max-memory\n2G\n--seed\n7\n--compress\nauto:cpca:8:2",
+      "light\npoint:1,2,3:4,5,6:radius=0.1",
+      "light\ndirectional:0,-1,0:1,1,1:angle=0.5",
+      "light\nspot:0,2,0:0,-1,0:10,30:5,5,5:radius=0.2",
+      "light\narea:sphere:0,1,0:0.5:3,3,3:power",
+      "light\narea:disk:0,1,0:0,-1,0:0.5:3,3,3:two-sided:exitance",
+      "light\narea:quad:0,1,0:0,-1,0:1,2:3,3,3:turn=9",
+      "light\narea:polygon:0,0,0:1,0,0:0,1,0:3,3,3",
+      "group\nlamps=1,0.5,0.25",
+      "part\nreflected=0.5",
+      "part\nall=2",
+      "compress\ncpca:64:8:byte",
+      "compress\nvq:256",
+      "compress\npca:4:float",
+      "compress\nband8",
+      "pattern\nLamp 12\nLa?p*",
+      "pattern\n1,2.5,-3e2",
+      "arguments\n--ao\n--sh\n4\n--bounces\n2\n--rays\n64\n--max-memory\n2G\n--seed\n7\n--compress\nauto:"
+      "cpca:8:2",
       "arguments\n--haar\n8\n--haar-error\n0.2\n--glossy\n3\n--vo\n--occluders\nauto:4\n--error\n0.1",
       "arguments\n--lightmap\n--texel-size\n0.1\n--encode\nsh-2,ahd\n--photons\n100\n--caustics\n--denoise",
       "arguments\n--light-group\nlamps=L*,B\n--near\n0.1\n--far\n2\n--sh\n3\n--texels\n64\n--relief",
-      "arguments\n--volume\n16\n--sh\n3\n--horizons\n8\n--thickness\n--cones\n--radiosity\n--solver\njacobi\n--time\n3",
-      "arguments\n--at\n0.5\n--animation\nwalk\n--move\nBall:1,2,3:30\n--object\nb.glb:1,2,3:30:2\n--size\n64x32\n--env\npreetham:3:35",
-      "arguments\n--scale\n0.001\n--brdf\nred=a.binary\n--scene\n0\n--variant\na\n--refine\n0.01\n--refine-vertices\n99\n--light\npoint:0,0,0:1,1,1"};
+      "arguments\n--volume\n16\n--sh\n3\n--horizons\n8\n--thickness\n--cones\n--radiosity\n--"
+      "solver\njacobi\n--time\n3",
+      "arguments\n--at\n0.5\n--animation\nwalk\n--move\nBall:1,2,3:30\n--object\nb.glb:1,2,3:30:2\n--"
+      "size\n64x32\n--env\npreetham:3:35",
+      "arguments\n--scale\n0.001\n--brdf\nred=a.binary\n--scene\n0\n--variant\na\n--refine\n0.01\n--refine-"
+      "vertices\n99\n--light\npoint:0,0,0:1,1,1"};
   std::size_t number = 0;
   for (const char* text : options) seeds["options/" + std::to_string(number++)] = bytesOf(text);
   seeds["uri/base64"] = bytesOf("data:application/octet-stream;charset=x;base64,AAEC/w==");

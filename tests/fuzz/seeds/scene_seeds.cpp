@@ -1,8 +1,8 @@
 #include <array>
 
 #include "fuzz/seeds/seeds.h"
-#include "images/picture_codecs.h"
 #include "images/ktx2_files.h"
+#include "images/picture_codecs.h"
 #include "scene/gltf/gltf_embed.h"
 #include "support/bent_bar.h"
 #include "support/compressed_files.h"
@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 
 /// Every material extension, with a texture wherever there may be one. It is dark: finding the parts of a
 /// textured emission takes a hundred times as long as everything else.
-constexpr const char* everyMaterial = R"({"name": "all", "alphaMode": "MASK", "alphaCutoff": 0.4, "doubleSided": true,
+constexpr const char* everyMaterial =
+    R"({"name": "all", "alphaMode": "MASK", "alphaCutoff": 0.4, "doubleSided": true,
 "emissiveFactor": [0, 0, 0], "emissiveTexture": {"index": 0}, "normalTexture": {"index": 0, "scale": 0.5},
 "occlusionTexture": {"index": 0, "strength": 0.5},
 "pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.7, 0.6, 0.9], "metallicFactor": 0.3, "roughnessFactor": 0.4,
@@ -83,13 +84,15 @@ GltfDocument compressible() {
 GltfDocument withMaterials() {
   GltfDocument document = texturedTriangle();
   addPng(document, 4);
-  document.json["samplers"] = Json::parse(R"([{"magFilter": 9728, "minFilter": 9987, "wrapS": 33071, "wrapT": 33648}])");
+  document.json["samplers"] =
+      Json::parse(R"([{"magFilter": 9728, "minFilter": 9987, "wrapS": 33071, "wrapT": 33648}])");
   document.json["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}, {"source": 0}])");
   document.json["materials"] = Json::parse(olderMaterials);
   document.json["materials"].insert(document.json["materials"].begin(), Json::parse(everyMaterial));
   auto& primitive = document.json["meshes"][0]["primitives"][0];
   primitive["material"] = 0;
-  document.json["extensions"]["KHR_materials_variants"]["variants"] = Json::parse(R"([{"name": "a"}, {"name": "b"}])");
+  document.json["extensions"]["KHR_materials_variants"]["variants"] =
+      Json::parse(R"([{"name": "a"}, {"name": "b"}])");
   primitive["extensions"]["KHR_materials_variants"]["mappings"] =
       Json::parse(R"([{"material": 1, "variants": [0]}, {"material": 2, "variants": [1]}])");
   return document;
@@ -119,22 +122,31 @@ GltfDocument withNodes() {
   json["nodes"].push_back({{"camera", 0}, {"translation", {1, 2, 3}}});
   json["nodes"].push_back({{"camera", 1}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2, 2, 2, 1}}});
   for (int i = 0; i < 3; ++i)
-    json["nodes"].push_back({{"scale", {2, -2, 2}}, {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
-  json["nodes"][5]["extensions"]["EXT_lights_ies"] = {{"light", 0}, {"multiplier", 2}, {"color", {1, 0.5, 0}}};
+    json["nodes"].push_back(
+        {{"scale", {2, -2, 2}}, {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+  json["nodes"][5]["extensions"]["EXT_lights_ies"] = {
+      {"light", 0}, {"multiplier", 2}, {"color", {1, 0.5, 0}}};
   json["cameras"] = Json::parse(
       R"([{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1, "zfar": 9, "aspectRatio": 1.5}},
           {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 1, "znear": 0, "zfar": 10}}])");
   json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(everyLight);
   const int text = appendBufferView(document, bytesOf(profile));
-  document.json["extensions"]["EXT_lights_ies"]["lights"] = Json::array({{{"bufferView", text}, {"mimeType", "application/x-ies-lm-63"}}});
+  document.json["extensions"]["EXT_lights_ies"]["lights"] =
+      Json::array({{{"bufferView", text}, {"mimeType", "application/x-ies-lm-63"}}});
   const int times = test::appendFloats(document, {0, 1}, "SCALAR");
   const int places = test::appendFloats(document, {0, 0, 0, 1, 0, 0}, "VEC3");
   const int turns = test::appendFloats(document, {0, 0, 0, 1, 0, 0.6f, 0, 0.8f}, "VEC4");
   const int curve = test::appendFloats(document, std::vector<float>(18, 0.5f), "VEC3");
-  document.json["animations"] = Json::array(
-      {{{"name", "all"},
-        {"samplers", {{{"input", times}, {"output", places}}, {{"input", times}, {"output", turns}, {"interpolation", "STEP"}}, {{"input", times}, {"output", curve}, {"interpolation", "CUBICSPLINE"}}}},
-        {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}, {{"sampler", 1}, {"target", {{"node", 0}, {"path", "rotation"}}}}, {{"sampler", 2}, {"target", {{"node", 3}, {"path", "scale"}}}}}}}});
+  document.json["animations"] =
+      Json::array({{{"name", "all"},
+                    {"samplers",
+                     {{{"input", times}, {"output", places}},
+                      {{"input", times}, {"output", turns}, {"interpolation", "STEP"}},
+                      {{"input", times}, {"output", curve}, {"interpolation", "CUBICSPLINE"}}}},
+                    {"channels",
+                     {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
+                      {{"sampler", 1}, {"target", {{"node", 0}, {"path", "rotation"}}}},
+                      {{"sampler", 2}, {"target", {{"node", 3}, {"path", "scale"}}}}}}}});
   return document;
 }
 
@@ -143,8 +155,10 @@ GltfDocument withDeformations() {
   GltfDocument document = test::bentBar();
   const std::vector<float> lifts(3 * test::barPositions().size(), 0.25f);
   for (int i = 0; i < 2; ++i) {
-    const int position = test::appendFloats(document, lifts, "VEC3"), normal = test::appendFloats(document, lifts, "VEC3");
-    document.json["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", position}, {"NORMAL", normal}});
+    const int position = test::appendFloats(document, lifts, "VEC3"),
+              normal = test::appendFloats(document, lifts, "VEC3");
+    document.json["meshes"][0]["primitives"][0]["targets"].push_back(
+        {{"POSITION", position}, {"NORMAL", normal}});
   }
   document.json["nodes"][2]["weights"] = {0.5, 0.25};
   const int weights = test::appendFloats(document, {0, 0, 1, 2}, "SCALAR");
@@ -158,7 +172,9 @@ GltfDocument withDeformations() {
       {{"sampler", 2},
        {"target",
         {{"path", "pointer"},
-         {"extensions", {{"KHR_animation_pointer", {{"pointer", "/materials/0/pbrMetallicRoughness/baseColorFactor"}}}}}}}});
+         {"extensions",
+          {{"KHR_animation_pointer",
+            {{"pointer", "/materials/0/pbrMetallicRoughness/baseColorFactor"}}}}}}}});
   return document;
 }
 
@@ -179,8 +195,10 @@ GltfDocument withSky() {
 /// Quantised positions, normals and coordinates, a strip and a fan.
 GltfDocument quantised() {
   GltfDocument document = test::triangleDocument();
-  const int positions = test::appendBytes(document, {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0}, "VEC3", 3, 5120);
-  const int normals = test::appendBytes(document, {0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0}, "VEC3", 3, 5120);
+  const int positions =
+      test::appendBytes(document, {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0}, "VEC3", 3, 5120);
+  const int normals =
+      test::appendBytes(document, {0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0}, "VEC3", 3, 5120);
   for (const int accessor : {positions, normals}) {
     const auto view = document.json["accessors"][accessor]["bufferView"].get<std::size_t>();
     document.json["bufferViews"][view]["byteStride"] = 4;
@@ -210,7 +228,8 @@ GltfDocument withKtx2() {
       R"([{"source": 0, "extensions": {"KHR_texture_basisu": {"source": 1}}}, {"source": 0, "extensions": {"EXT_texture_webp": {"source": 0}}}, {"source": 0, "extensions": {"EXT_texture_avif": {"source": 0}}}])");
   auto& material = document.json["materials"][0];
   for (int i = 0; i < 3; ++i)
-    material[std::array{"normalTexture", "emissiveTexture", "occlusionTexture"}[static_cast<std::size_t>(i)]]["index"] = i;
+    material[std::array{"normalTexture", "emissiveTexture", "occlusionTexture"}[static_cast<std::size_t>(i)]]
+            ["index"] = i;
   return document;
 }
 
@@ -239,27 +258,33 @@ void addSceneSeeds(Seeds& seeds) {
   seeds["gltf/draco.glb"] = glbOf(test::withDraco(compressible(), {true, 11, 8}));
   seeds["gltf/draco_sequential.glb"] = glbOf(test::withDraco(compressible(), {false, 0, 0}));
   seeds["gltf/meshopt_ext.glb"] = glbOf(test::withMeshopt(compressible()));
-  seeds["gltf/meshopt_khr.glb"] = glbOf(test::withMeshopt(compressible(), "KHR_meshopt_compression", "INDICES"));
+  seeds["gltf/meshopt_khr.glb"] =
+      glbOf(test::withMeshopt(compressible(), "KHR_meshopt_compression", "INDICES"));
   seeds["gltf/text.gltf"] = plainText();
 }
 
 GltfDocument roomToBake() {
   GltfDocument document = test::triangleDocument();
   auto& json = document.json;
-  json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(R"([{"type": "point", "intensity": 3, "name": "Lamp"}])");
+  json["extensions"]["KHR_lights_punctual"]["lights"] =
+      Json::parse(R"([{"type": "point", "intensity": 3, "name": "Lamp"}])");
   json["extensionsUsed"] = {"KHR_lights_punctual"};
   json["materials"][0]["doubleSided"] = true;
   json["materials"][0]["pbrMetallicRoughness"] = {{"metallicFactor", 0}, {"roughnessFactor", 0.5}};
-  json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = test::appendFloats(document, {0, 0, 1, 0, 0, 1}, "VEC2");
+  json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+      test::appendFloats(document, {0, 0, 1, 0, 0, 1}, "VEC2");
   const int times = test::appendFloats(document, {0, 1}, "SCALAR");
   const int places = test::appendFloats(document, {0, 0, 0.5f, 0, 0, 1}, "VEC3");
   auto& tree = document.json;
   tree["nodes"][0]["name"] = "floor";
-  tree["nodes"].push_back({{"mesh", 0}, {"name", "roof"}, {"translation", {0, 0, 0.5}}, {"scale", {0.5, 0.5, 0.5}}});
-  tree["nodes"].push_back({{"translation", {0.3, 0.3, 1}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  tree["nodes"].push_back(
+      {{"mesh", 0}, {"name", "roof"}, {"translation", {0, 0, 0.5}}, {"scale", {0.5, 0.5, 0.5}}});
+  tree["nodes"].push_back(
+      {{"translation", {0.3, 0.3, 1}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
   tree["scenes"][0]["nodes"] = {0, 1, 2};
-  tree["animations"] = Json::array({{{"samplers", {{{"input", times}, {"output", places}}}},
-                                     {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}});
+  tree["animations"] =
+      Json::array({{{"samplers", {{{"input", times}, {"output", places}}}},
+                    {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}});
   return document;
 }
 

@@ -15,7 +15,8 @@ namespace prelight::fuzz {
 
 namespace {
 
-constexpr const char* mapName = "radiosity.lightmap.exr";  ///< as the corpus calls it (tests/fuzz/make_corpus)
+constexpr const char* mapName =
+    "radiosity.lightmap.exr";  ///< as the corpus calls it (tests/fuzz/make_corpus)
 
 /// Writes a light map with every kind of layer if the input names one.
 void writeMapFor(Bytes input, const ScratchFolder& folder) {
@@ -24,14 +25,15 @@ void writeMapFor(Bytes input, const ScratchFolder& folder) {
   const Picture picture{2, 2, std::vector<glm::vec3>(4, {0.5f, 0.25f, 1.0f})};
   const std::vector<float> numbers(4, 1.0f);
   writePicture(folder / mapName, picture,
-               std::vector<PictureChannel>{{"walls.right", numbers}, {"walls.below", numbers}, {"walls.inside", numbers}});
+               std::vector<PictureChannel>{
+                   {"walls.right", numbers}, {"walls.below", numbers}, {"walls.inside", numbers}});
 }
 
 void readBaked(Bytes input) {
   const ScratchFolder folder;
   writeMapFor(input, folder);
-  const LoadedScene loaded = loadDocument(
-      [&](Warnings& warnings) { return parseGltf(input, folder / "scene.glb", warnings); }, {});
+  const LoadedScene loaded =
+      loadDocument([&](Warnings& warnings) { return parseGltf(input, folder / "scene.glb", warnings); }, {});
   GltfDocument stripped = *loaded.document;
   stripBake(stripped);
   const std::optional<Bake> bake = readBake(*loaded.document, loaded.compiled);

@@ -1,7 +1,7 @@
 // KTX2 pictures of Basis Universal (ETC1S and UASTC), whose decoder is our own.
+#include "images/basis/ktx2.h"
 #include "fuzz/sound.h"
 #include "fuzz/target.h"
-#include "images/basis/ktx2.h"
 #include "images/picture_codecs.h"
 
 namespace prelight::fuzz {

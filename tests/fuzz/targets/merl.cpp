@@ -1,4 +1,5 @@
-// Measured BRDFs in MERL's format. A right file has 33 MB: the input is its begin, and what follows repeats it.
+// Measured BRDFs in MERL's format. A right file has 33 MB: the input is its begin, and what follows repeats
+// it.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -25,7 +26,8 @@ std::vector<std::uint8_t> fullSize(Bytes input) {
 }
 
 void readMerl(Bytes input) {
-  const bool grows = input.size() > merlHeaderBytes && input.size() < merlBytes && input.size() % 8 == merlHeaderBytes % 8;
+  const bool grows =
+      input.size() > merlHeaderBytes && input.size() < merlBytes && input.size() % 8 == merlHeaderBytes % 8;
   const std::vector<glm::vec3> values =
       grows ? parseMerlBrdf(fullSize(input), "paint.binary") : parseMerlBrdf(input, "paint.binary");
   constexpr std::size_t step = 997;  // to look at all of them takes most of the time

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/text.h"
 #include "bake/make_plan.h"
+#include "base/text.h"
 #include "cli/options/bake_options.h"
 #include "cli/options/light_option.h"
 #include "cli/options/object_option.h"
@@ -34,7 +34,8 @@ void readLight(const std::string& text) { requireSound(viewer::parseLight(text))
 void readGroup(const std::string& text) {
   const GroupFactor factor = viewer::parseGroupFactor(text);
   for (int c = 0; c < 3; ++c)
-    require(std::isfinite(factor.factor[c]) && factor.factor[c] >= 0.0f, "factors are finite and not negative");
+    require(std::isfinite(factor.factor[c]) && factor.factor[c] >= 0.0f,
+            "factors are finite and not negative");
 }
 
 void readPart(const std::string& text) {
@@ -104,9 +105,12 @@ struct Arguments {
     cli::addObjectOption(app, objects, "");
     cli::addLightOption(app, lights);
     cli::addSkyOption(app, sky, "");
-    cli::addPictureSize(app, "--size", [](const cli::PictureSize& size) {
-      require(size.height > 0 && size.width.value_or(1) > 0, "sizes of pictures are above 0");
-    }, "");
+    cli::addPictureSize(
+        app, "--size",
+        [](const cli::PictureSize& size) {
+          require(size.height > 0 && size.width.value_or(1) > 0, "sizes of pictures are above 0");
+        },
+        "");
   }
 };
 
