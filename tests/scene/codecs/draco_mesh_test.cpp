@@ -50,6 +50,27 @@ Bytes claim(bool edgebreaker, std::uint64_t triangles, std::uint64_t vertices) {
   return bytes;
 }
 
+/// A version 2.2 mesh of one triangle with one attribute of this data type (Draco's number) and the values 0,
+/// 1 and 2, in sequential encoding without compression.
+Bytes triangleWith(std::uint8_t dataType) {
+  return {'D', 'R', 'A', 'C',      'O', 2, 2, 1, 0,
+          0,   0,   1,   3,        1,   0, 1, 2,  // one triangle, three vertices, plain indices
+          1,   1,   0,   dataType, 1,   0, 0,     // one decoder of one attribute: positions of one component,
+                                                  // number 0
+          0,   0,   1,   2};                      // stored plainly
+}
+
+/// A bool of 2 is undefined behaviour where it is read (found by fuzzing).
+TEST(DracoMesh, AttributeOfBools_IsRefused) {
+  constexpr std::uint8_t uint8 = 2, boolean = 11;
+  constexpr std::uint64_t bytes = 5121;
+  const DracoValues wanted{0, bytes, 1};
+  EXPECT_EQ(decodeDraco(triangleWith(uint8), plenty, "a")->values(wanted, "a"), (Bytes{0, 1, 2}));
+  const auto mesh = decodeDraco(triangleWith(boolean), plenty, "a");
+  EXPECT_THAT(test::inputErrorOf([&] { (void)mesh->values(wanted, "a.glb: /meshes/0"); }),
+              testing::HasSubstr("attribute 0 of the Draco data has values of type bool"));
+}
+
 TEST(DracoMesh, ClaimsOfBillions_AreRefusedBeforeMemoryIsTaken) {
   for (const bool edgebreaker : {false, true}) {
     const Bytes bytes = claim(edgebreaker, 1000000000, 1500000000);

@@ -183,6 +183,12 @@ class DecodedDraco final : public DracoMesh {
     if (attribute == nullptr)
       throw InputError(where, fmt::format("the Draco data have no attribute {}", wanted.attribute),
                        exportAgain);
+    // A byte other than 0 and 1 is no bool, and libdraco reads it as one.
+    if (attribute->data_type() == draco::DT_BOOL)
+      throw InputError(where,
+                       fmt::format("attribute {} of the Draco data has values of type bool, expected numbers",
+                                   wanted.attribute),
+                       exportAgain);
     const auto components = static_cast<std::size_t>(attribute->num_components());
     if (components != wanted.components)
       throw InputError(where,
