@@ -101,5 +101,10 @@ TEST(HdrHeader, MoreTexelsThanTheFileHolds_AreRefused) {
   EXPECT_EQ(hdrRefusal("-Y 2 +X 3", 24), "");
 }
 
+/// The library has memory for 256 lines, and one of 200000 texels fits into 13 kB.
+TEST(HdrHeader, LineThatIsLongForSoSmallAFile_IsRefused) {
+  EXPECT_THAT(hdrRefusal("-Y 1 +X 200000", 13000), HasSubstr("claims 153600000 numbers"));
+}
+
 }  // namespace
 }  // namespace prelight

@@ -14,6 +14,8 @@ namespace prelight::images {
 namespace {
 
 constexpr auto maxTexels = static_cast<std::int64_t>(mostPictureTexels);
+/// OpenImageIO allocates this many lines at once, also for pictures of fewer.
+constexpr int linesAtOnce = 256;
 
 /// Returns the indices of the red, green and blue channels.
 std::array<int, 3> colorChannels(const OIIO::ImageSpec& spec) {
@@ -79,7 +81,8 @@ Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
   if (!input->open(path.string(), spec, hints))
     throw InputError(path.string(), "cannot be read as a picture: " + input->geterror());
   checkSize(path, spec);
-  checkNumbers(path, static_cast<std::uint64_t>(std::int64_t{spec.width} * spec.height * spec.nchannels));
+  checkNumbers(path, static_cast<std::uint64_t>(std::int64_t{spec.width} *
+                                                std::max(spec.height, linesAtOnce) * spec.nchannels));
 
   const auto rgb = colorChannels(spec);
   const int first = *std::min_element(rgb.begin(), rgb.end());
@@ -124,7 +127,7 @@ void readPart(const std::filesystem::path& path, OIIO::ImageInput& input, int pa
                                                 spec.width, spec.height, layers.width, layers.height));
   const auto channels = static_cast<std::size_t>(spec.nchannels);
   checkNumbers(path, (layers.channels.size() + channels) * static_cast<std::uint64_t>(spec.width) *
-                         static_cast<std::uint64_t>(spec.height));
+                         static_cast<std::uint64_t>(std::max(spec.height, linesAtOnce)));
   const std::size_t texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
   std::vector<float> values(texels * channels);
   if (!input.read_image(part, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
