@@ -10,6 +10,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "images/picture_header.h"
@@ -28,6 +29,38 @@ constexpr std::uint64_t offsetBytes = 8;
 /// Lines per chunk of the compressions: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA and DWAB.
 constexpr std::array<std::uint64_t, 10> linesPerChunk = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
 constexpr std::uint64_t channelBytes = 16;  ///< of a channel's description behind its name
+
+struct AttributeType {
+  std::string_view name;
+  std::size_t bytes;
+};
+/// Types of one size: the library reads as many bytes, whatever the header says.
+constexpr std::array<AttributeType, 23> sizedTypes = {{
+    {"box2i", 16},
+    {"box2f", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3f", 12},
+    {"v3i", 12},
+}};
+constexpr std::size_t previewHeaderBytes = 8, previewPixelBytes = 4;
 
 /// What a part's header claims.
 struct ExrPartHeader {
@@ -103,20 +136,37 @@ class ExrHeaderReader {
     if (name.empty()) return std::nullopt;
     ExrPartHeader part;
     for (; !name.empty(); name = readName()) {
-      readName();  // the type
+      const std::string type = readName();
       std::int32_t bytes = 0;
       read(&bytes, sizeof bytes);
       if (bytes < 0 || static_cast<std::uint64_t>(bytes) > left())
         fail(fmt::format("attribute \"{}\" of its header claims {} bytes, and {} are left", name, bytes,
                          left()));
-      takeAttribute(name, static_cast<std::size_t>(bytes), part);
+      takeAttribute(name, type, static_cast<std::size_t>(bytes), part);
     }
     return part;
   }
 
-  void takeAttribute(const std::string& name, std::size_t bytes, ExrPartHeader& part) {
+  /// Requires that a value has the size by which the library reads it. Otherwise the two would read what
+  /// follows differently.
+  void checkSize(const std::string& name, const std::string& type, const std::vector<char>& value) const {
+    std::uint64_t expected = value.size();
+    const auto sized = std::ranges::find(sizedTypes, type, &AttributeType::name);
+    if (sized != sizedTypes.end()) expected = sized->bytes;
+    if (type == "preview")
+      expected = previewHeaderBytes + previewPixelBytes * std::uint64_t{number<std::uint32_t>(value, 0)} *
+                                          number<std::uint32_t>(value, 4);
+    if (type == "chlist") expected = channelsIn(value).bytes;
+    if (expected != value.size())
+      fail(fmt::format("attribute \"{}\" of its header has {} bytes, expected {} of a {}", name, value.size(),
+                       expected, type));
+  }
+
+  void takeAttribute(const std::string& name, const std::string& type, std::size_t bytes,
+                     ExrPartHeader& part) {
     std::vector<char> value(bytes);
     read(value.data(), bytes);
+    checkSize(name, type, value);
     if (name == "dataWindow") {
       const auto side = [&](std::size_t low) {
         const std::int64_t length =
@@ -134,17 +184,23 @@ class ExrHeaderReader {
     } else if (name == "chunkCount") {
       part.chunks = number<std::uint32_t>(value, 0);
     } else if (name == "channels") {
-      part.channels = countChannels(value);
+      part.channels = channelsIn(value).count;
     }
   }
 
-  std::uint64_t countChannels(const std::vector<char>& list) const {
+  struct ChannelList {
     std::uint64_t count = 0;
-    for (std::size_t at = 0; number<char>(list, at) != '\0'; ++count) {
+    std::uint64_t bytes = 0;  ///< with the zero byte that ends it
+  };
+  ChannelList channelsIn(const std::vector<char>& list) const {
+    ChannelList channels;
+    std::size_t at = 0;
+    for (; number<char>(list, at) != '\0'; ++channels.count) {
       while (number<char>(list, at) != '\0') ++at;
       at += 1 + channelBytes;
     }
-    return count;
+    channels.bytes = at + 1;
+    return channels;
   }
 
   void checkWindow(const ExrPartHeader& part) const {

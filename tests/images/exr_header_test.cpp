@@ -63,6 +63,17 @@ TEST_F(ExrHeader, AttributeBeyondTheFile_IsRefused) {
   EXPECT_THAT(refusalOf(usual(1, 1) + attribute("capDate", "string", "", -1)), HasSubstr("claims -1 bytes"));
 }
 
+/// The library reads values of known types without regard to the size that the header gives them.
+TEST_F(ExrHeader, AttributeOfAnotherSizeThanItsType_IsRefused) {
+  EXPECT_THAT(refusalOf(usual(1, 1) + attribute("aperture", "float", "12345")),
+              HasSubstr("attribute \"aperture\" of its header has 5 bytes, expected 4 of a float"));
+  const std::string channel =
+      std::string("R\0", 2) + bytesOf(2) + bytesOf(0) + bytesOf(1) + bytesOf(1) + std::string(40, '\0');
+  EXPECT_THAT(refusalOf(attribute("channels", "chlist", channel)), HasSubstr("has 58 bytes, expected 19"));
+  EXPECT_THAT(refusalOf(usual(1, 1) + attribute("preview", "preview", bytesOf(1) + bytesOf(1) + "123")),
+              HasSubstr("has 11 bytes, expected 12"));
+}
+
 TEST_F(ExrHeader, MoreTexelsOrNumbersThanTheFileHolds_AreRefused) {
   EXPECT_THAT(refusalOf(usual(2000000000, 2000000000)), HasSubstr("claims 2000000001 x 2000000001 texels"));
   EXPECT_THAT(refusalOf(usual(-1, 3)), HasSubstr("claims 0 x 4 texels"));
