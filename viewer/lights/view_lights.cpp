@@ -28,11 +28,10 @@ float strengthOf(const ShadedLight& light) {
 }
 
 int glowingPrimitives(const CompiledScene& scene) {
-  const std::vector<Emitter> emitters = emittersOf(scene);
+  const std::vector<Emitter> emitters = emittersOf(scene);  // by ascending triangle
   const auto glows = [&](const PrimitiveRange& range) {
-    return std::ranges::any_of(emitters, [&](const Emitter& emitter) {
-      return emitter.triangle - range.firstTriangle < range.triangleCount;
-    });
+    const auto first = std::ranges::lower_bound(emitters, range.firstTriangle, {}, &Emitter::triangle);
+    return first != emitters.end() && first->triangle - range.firstTriangle < range.triangleCount;
   };
   return static_cast<int>(std::ranges::count_if(scene.primitives, glows));
 }
