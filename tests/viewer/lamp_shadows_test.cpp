@@ -158,8 +158,6 @@ TEST(CarriedShading, WhereSurfacesEncloseOneAnother_ShowsBounces) {
   EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Ao);
   bake.ao = {0.3f, 0.1f};  // a room
   EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Sh);
-  bake.info.bounces = 0;
-  EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Ao);
 }
 
 }  // namespace
