@@ -140,15 +140,17 @@ GatherRequest gatherRequest(const IndirectRequest& request) {
 
 namespace {
 
-bool directByPhotons(const TransportScene& scene, const IndirectRequest& request) {
-  // With many emitters, the few rays per emitter would be noisier than photons.
+/// Returns whether photons represent the direct light of emissive triangles. Of many, the few rays per
+/// emitter would be noisier.
+bool emittersByPhotons(const TransportScene& scene, const IndirectRequest& request) {
   return request.directByPhotons || scene.lights().emitters.size() > DirectLight::mostIntegratedEmitters;
 }
 
 }  // namespace
 
 PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest& request) {
-  return {.kind = directByPhotons(scene, request) ? PhotonKind::All : PhotonKind::Indirect,
+  return {.kind = request.directByPhotons ? PhotonKind::All : PhotonKind::Indirect,
+          .emittersDirectly = emittersByPhotons(scene, request),
           .photons = request.photons,
           .seed = request.seed};
 }
@@ -165,15 +167,16 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const S
       approximation_(scene.context(), patches.layout()),
       gather_(scene, approximation_, gatherRequest(request)) {
   const LightMapLayout& layout = patches.layout();
-  const bool all = directByPhotons(scene, request);
-  const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
+  const bool emitters = emittersByPhotons(scene, request);
+  const int nearest = emitters ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
       irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device, progress);
   const std::vector<float> shares = sharesOfRegions(compiled_, regionsOf(surface), layout);
   for (std::size_t i = 0; i < irradiance.size(); ++i) irradiance[i] *= shares[i];
-  if (!all) {
+  const bool byRays = !emitters || !lit.lights.empty() || lit.sky != nullptr;
+  if (!request.directByPhotons && byRays) {
     DirectLight direct(compiled_, scene.tracer());
-    direct.setLights({lit.lights, lit.sky, lit.skyRotation});
+    direct.setLights({lit.lights, lit.sky, lit.skyRotation, !emitters});
     earlierRays_ += addDirect(direct, compiled_, layout.texels, request.seed, irradiance, progress);
   }
   approximation_.set(onGrid(layout, irradiance));

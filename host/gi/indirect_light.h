@@ -24,12 +24,13 @@ namespace prelight {
 /// Options of IndirectLight.
 struct IndirectRequest {
   std::uint64_t photons = 50000;  ///< photons that leave lights, for the approximation that rays look up
-  int nearestPhotons = 15;   ///< per estimate; at least leastNearestOfAll where photons represent all light
+  int nearestPhotons = 15;   ///< per estimate; at least leastNearestOfAll where some of it is direct light
   std::uint32_t rays = 128;  ///< per place, a power of two, at least 8
   std::uint64_t seed = 0;
   std::uint32_t longWay = GatherRequest{}.longWay;  ///< as in GatherRequest
-  /// How direct light gets into the approximation. False: by shadow rays, which keep shadows dark; true: by
-  /// photons like the rest, which blurs shadows (Larsen 2004, ch. 10).
+  /// How direct light gets into the approximation. False: by shadow rays, which keep shadows dark, but that
+  /// of many emissive triangles by photons; true: by photons like the rest, which blurs shadows (Larsen 2004,
+  /// ch. 10).
   bool directByPhotons = false;
   GatherChoice gather = GatherChoice::All;
   double cacheError = IrradianceCacheOptions{}.error;  ///< error of the cache
@@ -37,8 +38,8 @@ struct IndirectRequest {
   std::uint64_t gatherSeed = 0;  ///< selects other rays for the same photons and approximation
 };
 
-/// Least number of photons in an estimate of all light. Direct photons lie so evenly that fewer would not
-/// suffice.
+/// Least number of photons in an estimate with direct light. Direct photons lie so evenly that fewer would
+/// not suffice.
 constexpr int leastNearestOfAll = 40;
 
 /// Returns the photon request for sendPhotons().

@@ -306,7 +306,8 @@ Importons sendImportons(const CompiledScene& compiled, TransportScene& scene, co
   Importons found;
   found.rays = tracer.trace(importons, sources, hits, progress).rays;
   // The first place is seen, the second is gathered from, and light at later places is on its way there.
-  const std::uint32_t first = request.kind == PhotonKind::Indirect ? 2 : 1;
+  const bool storesDirect = request.kind != PhotonKind::Indirect || request.emittersDirectly;
+  const std::uint32_t first = storesDirect ? 1 : 2;
   forRanks(hits, source.count, [&](const device::Photon& photon, std::uint32_t, std::uint32_t rank) {
     if (rank >= first) found.landed.push_back({placeOf(photon), powerOf(photon)});
   });

@@ -52,7 +52,8 @@ Eye eyeOf(const CameraAxes& axes) {
 BuildOptions scatterOptions(const PhotonRequest& request, BuildOptions options) {
   return options.defineIf(request.kind == PhotonKind::Caustic, "PRELIGHT_CAUSTICS")
       .defineIf(request.sharp, "PRELIGHT_SHARP_CAUSTICS")
-      .defineIf(request.kind == PhotonKind::All, "PRELIGHT_STORE_DIRECT");
+      .defineIf(request.kind == PhotonKind::All, "PRELIGHT_STORE_DIRECT")
+      .defineIf(request.emittersDirectly, "PRELIGHT_STORE_EMITTED");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace prelight {
 /// Options of tracing photons.
 struct PhotonRequest {
   PhotonKind kind = PhotonKind::Indirect;
+  bool emittersDirectly = false;   ///< whether those straight from emissive triangles are stored as well
   bool aimed = true;               ///< whether caustic photons are emitted only towards casters
   bool sharp = false;              ///< whether only mirrors and smooth glass scatter caustic photons
   std::uint64_t photons = 100000;  ///< number of photons that leave lights

@@ -3,7 +3,8 @@
 // Options: those of the included files; PRELIGHT_ABSORPTION (some glass absorbs); PRELIGHT_CAUSTICS (photons of the
 // caustic map, which follow only mirrors, glass and narrow lobes and end on the first surface that scatters diffusely);
 // PRELIGHT_SHARP_CAUSTICS, in addition (only mirrors and smooth glass are followed, onto all surfaces that scatter
-// otherwise); PRELIGHT_STORE_DIRECT (photons that come directly from their light are stored as well).
+// otherwise); PRELIGHT_STORE_DIRECT (photons that come directly from their light are stored as well);
+// PRELIGHT_STORE_EMITTED (those that come directly from emissive triangles are).
 #include "core/octahedral_funcs.cl"
 #include "photon/path_funcs.cl"
 #include "shared/photon_types.h"
@@ -46,7 +47,7 @@ PRELIGHT_INLINE uint scatteredBy(Interaction i, uint lobe, Bsdf b) {
   return (lobe & narrowLobes(b)) != 0u ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
 }
 
-PRELIGHT_INLINE bool storesHere(PhotonPath path, Bsdf b) {
+PRELIGHT_INLINE bool storesHere(__constant const PhotonParameters* p, PhotonPath path, Bsdf b) {
 #ifdef PRELIGHT_SHARP_CAUSTICS
   return path.scattered != 0u && (isDiffuse(b) || isGlossy(b));
 #endif
@@ -55,6 +56,8 @@ PRELIGHT_INLINE bool storesHere(PhotonPath path, Bsdf b) {
   return path.scattered == PRELIGHT_SCATTERED_SPECULAR;
 #elif defined(PRELIGHT_STORE_DIRECT)
   return true;
+#elif defined(PRELIGHT_STORE_EMITTED)
+  return path.scattered != 0u || p->source.kind == PRELIGHT_SOURCE_EMITTERS;
 #else
   return path.scattered != 0u;
 #endif
@@ -150,7 +153,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
 #endif
     if (!surface.front && (surface.flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(bsdf.diffuse) > 0.0f)
       outcome |= PRELIGHT_PHOTON_MET_BACK;
-    if (storesHere(path, bsdf)) {
+    if (storesHere(p, path, bsdf)) {
       Photon photon;
       vstore3(surface.position, 0, photon.position);
       photon.triangle = hit.triangle;

@@ -225,6 +225,22 @@ TEST(IndirectLight, UndersideOfATable_SeesNoLightInTheTablesShadow) {
   EXPECT_GT(errorUnderTheTable(table), 0.1);
 }
 
+TEST(IndirectLight, ManyFaintEmitters_LeaveTheShadowOfALampDark) {
+  IndirectScene table = Table::light();
+  CompiledMaterial faint = lambert(0.0f);
+  faint.emission = glm::vec3(1e-4f);
+  table.scene.materials.push_back(faint);
+  for (const float x : {-3.0f, -2.0f, 2.0f, 3.0f}) {
+    append(table.scene, box(1, {x, 0.1f, 3.0f}, {x + 0.1f, 0.2f, 3.1f}, false));
+    for (std::size_t t = table.scene.triangleCount() - 12; t < table.scene.triangles.size(); ++t)
+      table.scene.triangleMaterials[t] = 2;
+  }
+  LightMapLayoutRequest map;
+  map.texels = 1u << 16;
+  table.layout = makeLightMapLayout(table.source, table.scene, map);
+  EXPECT_LT(errorUnderTheTable(table), 0.05);
+}
+
 TEST(IndirectLight, UndersideOfATable_IsFoundByACacheOfFewPlacesAndByGuidedRays) {
   IndirectScene table = Table::light();
   table.request.gather = GatherChoice::Guided;

@@ -148,5 +148,17 @@ TEST(CarriedShading, OfABakeOfManyKinds_IsTheOneThatShowsTheLight) {
   EXPECT_EQ(viewer::carriedShading(Bake{}, room), Shading::Phong);
 }
 
+TEST(CarriedShading, WhereSurfacesEncloseOneAnother_ShowsBounces) {
+  Bake bake;
+  bake.sh.emplace();
+  bake.info.bounces = 2;
+  bake.bentNormals = {glm::vec3(0, 0, 1)};
+  const viewer::LightOfPicture sun{.sky = false, .outside = true};
+  bake.ao = {0.9f, 0.7f};  // an open place, where the sun's shadows count
+  EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Ao);
+  bake.ao = {0.3f, 0.1f};  // a room
+  EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Sh);
+}
+
 }  // namespace
 }  // namespace prelight

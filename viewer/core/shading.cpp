@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "base/text.h"
@@ -35,12 +36,33 @@ float expectedError(Shading shading, const LightOfPicture& light) {
   return light.inside ? std::max(error, info.error.inside) : error;
 }
 
+namespace {
+
+constexpr float usualAlbedo = 0.5f;
+
+/// Returns the relMSE of pictures that lack bounces, which grows with how closed the scene is: surfaces that
+/// hide a share of each other's sky send on that share of the light times their albedo, again and again.
+float errorWithoutBounces(const Bake& bake) {
+  if (bake.ao.empty()) return 0.0f;
+  const double open = std::accumulate(bake.ao.begin(), bake.ao.end(), 0.0) / double(bake.ao.size());
+  const float lost = usualAlbedo * static_cast<float>(std::clamp(1.0 - open, 0.0, 1.0));
+  return lost * lost;
+}
+
+bool showsBounces(const ShadingInfo& info, const Bake& bake) {
+  return info.traits.bakedLight || (info.traits.bounces && bake.info.bounces > 0);
+}
+
+}  // namespace
+
 Shading carriedShading(const Bake& bake, const LightOfPicture& light) {
+  const float withoutBounces = errorWithoutBounces(bake);
   Shading best = Shading::Phong;
   float least = std::numeric_limits<float>::infinity();
   for (const Shading shading : shadingsByPreference()) {
     const ShadingInfo& info = infoOf(shading);
-    const float error = expectedError(shading, light);
+    float error = expectedError(shading, light);
+    if (!showsBounces(info, bake)) error = std::max(error, withoutBounces);
     if (info.bakeOption.empty() || !info.carriedBy(bake) || error >= least) continue;
     best = shading;
     least = error;

@@ -26,6 +26,7 @@ LobeCubes::LobeCubes(int side, std::size_t cubes)
   glTexParameteri(GL_TEXTURE_CUBE_MAP_ARRAY, GL_TEXTURE_MAX_LEVEL, levels_ - 1);
   sourceProgram_.use();
   sourceProgram_.set("drawn", static_cast<int>(lobeSourceUnit));
+  sourceProgram_.set("side", side_);
   filterProgram_.use();
   filterProgram_.set("maps", static_cast<int>(lobeMapsUnit));
   gl::check("preparing cube maps of lobes");

@@ -21,8 +21,8 @@ class LobeCubes {
   /// `side`: texels of a face in the first level, a power of two of at least levelSide.
   LobeCubes(int side, std::size_t cubes);
 
-  /// Takes a face of the cube that filter() is to be called for, drawn with twice the side, where alpha is
-  /// the distance.
+  /// Takes a face of the cube that filter() is to be called for, where alpha is the distance: drawn with
+  /// twice the side, or less where it may be coarse.
   void takeFace(const gl::Framebuffer& drawn, std::size_t face) const;
 
   /// Filters the six faces that were taken last.

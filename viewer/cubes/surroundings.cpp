@@ -58,10 +58,8 @@ void Surroundings::makeMaps() {
   side_ = isRough ? sideOfRough : side;
   target_ = std::make_unique<gl::Framebuffer>(2 * side_, 2 * side_);
   cubes_ = makeCubeMaps(side_, nodes_.size(), true);
-  if (reflecting_ == Reflecting::Lobes)
-    lobes_.emplace(side_, nodes_.size());
-  else
-    quickTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
+  if (reflecting_ == Reflecting::Lobes) lobes_.emplace(side_, nodes_.size());
+  quickTarget_ = std::make_unique<gl::Framebuffer>(side_ / 2, side_ / 2);
   const bool glass = std::any_of(nodes_.begin(), nodes_.end(), [](const Node& n) { return n.glass; });
   insides_ = makeCubeMaps(side_, glass ? nodes_.size() : 1, false);
   if (!glass) return;
@@ -239,7 +237,7 @@ std::size_t Surroundings::draw(std::size_t mostFaces, const PictureState& pictur
   std::size_t drawn = 0;
   for (; waiting_ > 0 && drawn < mostFaces; --waiting_, ++drawn) {
     // Faces of a round before the last are seen only in the maps that the next round draws.
-    const bool isQuick = !lobes_ && !picture.pace.spread && waiting_ > facesOfARound();
+    const bool isQuick = !picture.pace.spread && waiting_ > facesOfARound();
     drawFace(next_, isQuick ? *quickTarget_ : *target_, picture, drawer);
     if (lobes_ && next_ % facesOfACube == facesOfACube - 1) lobes_->filter(next_ / facesOfACube);
     next_ = (next_ + 1) % facesOfARound();

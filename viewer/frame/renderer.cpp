@@ -65,7 +65,7 @@ std::vector<ShadedLight> Renderer::shownLights(const Drawing& drawing) const {
   const std::vector<ShadedLight>& all = drawing.picture.light.lights;
   std::vector<ShadedLight> lights = all;
   if (showsAllLight(view.shading)) return lights;
-  if (view.draft && view.emitters) {
+  if ((view.draft || drawing.isFace) && view.emitters) {
     lights_.thinOut(lights);
     for (const TechniquePass* pass : drawing.passes) pass->shadowSamples(all, lights);
   }
@@ -309,8 +309,8 @@ SlicedWork Renderer::drawView(TileRequest request) {
     if (DrawnTransfer* behind = drawnOf(view.shading).transfer.get()) behind->prepare(picture);
     for (TechniquePass* pass : passes) pass->prepare(picture, *this);
   }
-  SlicedWork drawing =
-      drawScene({picture, passes, {}, false, request.layers, request.drawn}, request.tile, request.target);
+  SlicedWork drawing = drawScene({picture, passes, false, {}, false, request.layers, request.drawn},
+                                 request.tile, request.target);
   while (drawing.goOn()) co_await endOfSlice;
 }
 
@@ -324,7 +324,7 @@ void Renderer::drawFace(const PictureState& picture, const SceneFace& face, cons
   pace.slice = PictureSlices::unbounded;
   const PictureState shown{seen, picture.light, picture.transfer, pace, nobody};
   const Passes passes = passesOf(seen.shading);
-  drawScene({shown, passes, face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side}, target)
+  drawScene({shown, passes, true, face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side}, target)
       .finish();
 }
 
@@ -382,9 +382,9 @@ SlicedWork Renderer::drawScene(Drawing drawing, Tile tile, const gl::Framebuffer
   }
   const int samples = target.width() / tile.width;
   const DrawnTransfer* transfer = drawing.picture.transfer;
-  const int turns = !drawing.leftOut.any() ? std::max(samples, view.draft ? turnsInDrafts : 1)
-                    : transfer != nullptr  ? transfer->turnsInFaces()
-                                           : DrawnTransfer::usualTurnsInFaces;
+  const int turns = !drawing.isFace       ? std::max(samples, view.draft ? turnsInDrafts : 1)
+                    : transfer != nullptr ? transfer->turnsInFaces()
+                                          : DrawnTransfer::usualTurnsInFaces;
   look.opaque.depthsFirst = drawsDepthsFirst(view.shading, lights.size());
   look.opaque.sharesPrograms = look.blended.sharesPrograms = showsAllLight(view.shading);
   const ShownTriangles shown(scene_.blocks(), tileFromScene(view, tile, compiled_));

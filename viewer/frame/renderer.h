@@ -114,7 +114,8 @@ class Renderer final : private SceneDrawer {
   struct Drawing {
     const PictureState& picture;
     const Passes& passes;
-    LeftOut leftOut = {};  ///< of a cube map
+    bool isFace = false;  ///< of a cube map
+    LeftOut leftOut = {};
     bool withoutEmission = false;
     const LayerRequest* layers = nullptr;               ///< nullptr: none but the picture itself
     std::function<void(const SampleRect&)> drawn = {};  ///< is told of slices; empty: nobody is

@@ -12,7 +12,8 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr int draftEmitterSamples = 4;
+/// Number of samples in drafts for each primitive that glows, up to emitterSamples for all.
+constexpr int draftSamplesOfPrimitive = 4;
 
 /// Number of samples that represent an area light where there is no closed form.
 constexpr int areaSamples = 16;
@@ -24,6 +25,15 @@ float strengthOf(const ShadedLight& light) {
   if (light.cookie != nullptr) return sum * static_cast<float>(luminance(cookieMean(*light.cookie)));
   if (light.profile == nullptr) return sum;
   return sum * static_cast<float>(profilePower(*light.profile) / (4.0 * std::numbers::pi));
+}
+
+int glowingPrimitives(const CompiledScene& scene) {
+  const std::vector<Emitter> emitters = emittersOf(scene);  // by ascending triangle
+  const auto glows = [&](const PrimitiveRange& range) {
+    const auto first = std::ranges::lower_bound(emitters, range.firstTriangle, {}, &Emitter::triangle);
+    return first != emitters.end() && first->triangle - range.firstTriangle < range.triangleCount;
+  };
+  return static_cast<int>(std::ranges::count_if(scene.primitives, glows));
 }
 
 void replaceByTheirSamples(std::vector<ShadedLight>& lights) {
@@ -54,12 +64,10 @@ void ViewLights::setScene(const CompiledScene& scene) {
   if (samples_ != nullptr) samples_->setScene(scene);
 }
 
-/// Drafts have fewer samples, but not fewer than there are emitters to tell apart.
 void ViewLights::sample() {
   emitters_ = sampleEmitters(*scene_, bodies_, emitterSamples);
-  const auto emitters = static_cast<std::ptrdiff_t>(emittersOf(*scene_).size());
-  const auto fewer = std::clamp<std::ptrdiff_t>(emitters, draftEmitterSamples, emitterSamples);
-  draftEmitters_ = sampleEmitters(*scene_, bodies_, static_cast<int>(fewer));
+  const int fewer = std::min(draftSamplesOfPrimitive * glowingPrimitives(*scene_), emitterSamples);
+  draftEmitters_ = sampleEmitters(*scene_, bodies_, fewer);
 }
 
 void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {

@@ -28,7 +28,8 @@ class ViewLights {
   /// Tables of the lights that of() returned last.
   const LampTables& tables() const { return tables_; }
 
-  /// Leaves fewer samples of emissive surfaces, which are all the samples that `lights` holds.
+  /// Leaves fewer samples of emissive surfaces, which are all the samples that `lights` holds: enough for
+  /// drafts and for faces of environment maps.
   void thinOut(std::vector<ShadedLight>& lights) const;
 
  private:

@@ -25,7 +25,6 @@ struct LeftOut {
   int reflectingNode = -1;                 ///< Batch::reflectingNode of those that are not; -1: none
   std::span<const int> furtherNodes = {};  ///< Batch::node of further ones
 
-  bool any() const { return node >= 0 || object.triangleCount > 0 || reflectingNode >= 0; }
   bool has(const Batch& batch) const {
     return (node >= 0 && batch.node == node) ||
            (reflectingNode >= 0 && batch.reflectingNode == reflectingNode) ||
