@@ -77,6 +77,10 @@ struct ShadingInfo {
   /// Moves what a bake holds for it into another bake.
   void (*take)(Bake& into, Bake& from) = [](Bake&, Bake&) {};
 
+  /// The mean share of their sky that vertices see, 0 to 1, of a bake that carries the shading; nullptr: it
+  /// does not tell.
+  double (*openness)(const Bake&) = nullptr;
+
   /// The transfer of a bake that may change for some vertices while it is drawn; nullptr: none may.
   VertexRows (*changingRows)(const Bake&) = nullptr;
   /// The rule by which it draws light in an encoding, where a bake holds that in its place; Open: it does

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "base/text.h"
@@ -43,10 +42,12 @@ constexpr float usualAlbedo = 0.5f;
 /// Returns the relMSE of pictures that lack bounces, which grows with how closed the scene is: surfaces that
 /// hide a share of each other's sky send on that share of the light times their albedo, again and again.
 float errorWithoutBounces(const Bake& bake) {
-  if (bake.ao.empty()) return 0.0f;
-  const double open = std::accumulate(bake.ao.begin(), bake.ao.end(), 0.0) / double(bake.ao.size());
-  const float lost = usualAlbedo * static_cast<float>(std::clamp(1.0 - open, 0.0, 1.0));
-  return lost * lost;
+  for (const ShadingInfo& info : shadings()) {
+    if (info.openness == nullptr || !info.carriedBy(bake)) continue;
+    const float lost = usualAlbedo * static_cast<float>(1.0 - info.openness(bake));
+    return lost * lost;
+  }
+  return 0.0f;
 }
 
 bool showsBounces(const ShadingInfo& info, const Bake& bake) {

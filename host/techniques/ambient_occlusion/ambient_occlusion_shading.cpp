@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <numeric>
+
 #include "techniques/bake_fit.h"
 #include "techniques/shading.h"
 
@@ -15,6 +18,11 @@ void takeAo(Bake& into, Bake& from) {
   into.ao = std::move(from.ao);
   into.bentNormals = std::move(from.bentNormals);
   into.apertures = std::move(from.apertures);
+}
+
+double opennessOfAo(const Bake& bake) {
+  const double sum = std::accumulate(bake.ao.begin(), bake.ao.end(), 0.0);
+  return std::clamp(sum / static_cast<double>(bake.ao.size()), 0.0, 1.0);
 }
 
 }  // namespace
@@ -36,6 +44,7 @@ extern const ShadingInfo aoShading = {
     .addTo = [](BakeRequest& request, const BakeRequest&) { request.ao = true; },
     .check = checkAo,
     .take = takeAo,
+    .openness = opennessOfAo,
 };
 
 }  // namespace prelight
