@@ -62,7 +62,7 @@ constexpr std::array<AttributeType, 23> sizedTypes = {{
 }};
 constexpr std::size_t previewHeaderBytes = 8, previewPixelBytes = 4;
 
-/// What a part's header claims.
+/// The claims of a part's header.
 struct ExrPartHeader {
   std::uint64_t width = 0, height = 0;
   std::uint64_t channels = 0;
@@ -147,15 +147,21 @@ class ExrHeaderReader {
     return part;
   }
 
+  /// Returns the size of a preview by its own width and height.
+  std::uint64_t previewBytes(const std::vector<char>& value) const {
+    const std::uint64_t width = number<std::uint32_t>(value, 0), height = number<std::uint32_t>(value, 4);
+    if (std::max(width, height) > value.size() && std::min(width, height) > 0)
+      fail("its preview is cut short");  // before the product overflows
+    return previewHeaderBytes + previewPixelBytes * width * height;
+  }
+
   /// Requires that a value has the size by which the library reads it. Otherwise the two would read what
   /// follows differently.
   void checkSize(const std::string& name, const std::string& type, const std::vector<char>& value) const {
     std::uint64_t expected = value.size();
     const auto sized = std::ranges::find(sizedTypes, type, &AttributeType::name);
     if (sized != sizedTypes.end()) expected = sized->bytes;
-    if (type == "preview")
-      expected = previewHeaderBytes + previewPixelBytes * std::uint64_t{number<std::uint32_t>(value, 0)} *
-                                          number<std::uint32_t>(value, 4);
+    if (type == "preview") expected = previewBytes(value);
     if (type == "chlist") expected = channelsIn(value).bytes;
     if (expected != value.size())
       fail(fmt::format("attribute \"{}\" of its header has {} bytes, expected {} of a {}", name, value.size(),

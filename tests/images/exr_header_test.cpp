@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "images/pixels.h"
@@ -72,6 +73,9 @@ TEST_F(ExrHeader, AttributeOfAnotherSizeThanItsType_IsRefused) {
   EXPECT_THAT(refusalOf(attribute("channels", "chlist", channel)), HasSubstr("has 58 bytes, expected 19"));
   EXPECT_THAT(refusalOf(usual(1, 1) + attribute("preview", "preview", bytesOf(1) + bytesOf(1) + "123")),
               HasSubstr("has 11 bytes, expected 12"));
+  const std::string large = bytesOf(std::numeric_limits<std::int32_t>::min());  // 4 (2^31)^2 is 0 in 64 bits
+  EXPECT_THAT(refusalOf(usual(1, 1) + attribute("preview", "preview", large + large)),
+              HasSubstr("its preview is cut short"));
 }
 
 TEST_F(ExrHeader, MoreTexelsOrNumbersThanTheFileHolds_AreRefused) {
