@@ -140,10 +140,10 @@ GatherRequest gatherRequest(const IndirectRequest& request) {
 
 namespace {
 
-/// Returns whether photons represent the direct light of emissive triangles. Of many, the few rays per
+/// Returns whether photons represent the direct light of emissive triangles alone. Of many, the few rays per
 /// emitter would be noisier.
 bool emittersByPhotons(const TransportScene& scene, const IndirectRequest& request) {
-  return request.directByPhotons || scene.lights().emitters.size() > DirectLight::mostIntegratedEmitters;
+  return !request.directByPhotons && scene.lights().emitters.size() > DirectLight::mostIntegratedEmitters;
 }
 
 }  // namespace
@@ -168,16 +168,17 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const S
       gather_(scene, approximation_, gatherRequest(request)) {
   const LightMapLayout& layout = patches.layout();
   const bool emitters = emittersByPhotons(scene, request);
-  const int nearest = emitters ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
+  const bool direct = emitters || request.directByPhotons;
+  const int nearest = direct ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =
       irradianceOfPhotons(compiled_, patches, surface, photons.hits, nearest, device, progress);
   const std::vector<float> shares = sharesOfRegions(compiled_, regionsOf(surface), layout);
   for (std::size_t i = 0; i < irradiance.size(); ++i) irradiance[i] *= shares[i];
   const bool byRays = !emitters || !lit.lights.empty() || lit.sky != nullptr;
   if (!request.directByPhotons && byRays) {
-    DirectLight direct(compiled_, scene.tracer());
-    direct.setLights({lit.lights, lit.sky, lit.skyRotation, !emitters});
-    earlierRays_ += addDirect(direct, compiled_, layout.texels, request.seed, irradiance, progress);
+    DirectLight shadowRays(compiled_, scene.tracer());
+    shadowRays.setLights({lit.lights, lit.sky, lit.skyRotation, !emitters});
+    earlierRays_ += addDirect(shadowRays, compiled_, layout.texels, request.seed, irradiance, progress);
   }
   approximation_.set(onGrid(layout, irradiance));
   if (request.gather == GatherChoice::Guided) {
