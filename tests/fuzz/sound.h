@@ -5,8 +5,8 @@
 #include "prelight/picture.h"
 #include "prelight/scene.h"
 
-/// What readers promise about input that they accept. The functions throw std::logic_error where it does not
-/// hold.
+/// Checks of the promises that readers make about accepted input. The functions throw std::logic_error where
+/// one does not hold.
 namespace prelight::fuzz {
 
 /// Requires of a compiled scene indices within their arrays and finite numbers, and of the scene that it was

@@ -9,7 +9,7 @@
 
 namespace prelight::fuzz {
 
-/// What the states of the target belong to.
+/// Returns the key of the target's states.
 StateKey fuzzedKey();
 constexpr const char* fuzzedKind = "bake";
 

@@ -309,8 +309,9 @@ SlicedWork Renderer::drawView(TileRequest request) {
     if (DrawnTransfer* behind = drawnOf(view.shading).transfer.get()) behind->prepare(picture);
     for (TechniquePass* pass : passes) pass->prepare(picture, *this);
   }
-  SlicedWork drawing = drawScene({picture, passes, false, {}, false, request.layers, request.drawn},
-                                 request.tile, request.target);
+  SlicedWork drawing =
+      drawScene({.picture = picture, .passes = passes, .layers = request.layers, .drawn = request.drawn},
+                request.tile, request.target);
   while (drawing.goOn()) co_await endOfSlice;
 }
 
@@ -324,7 +325,12 @@ void Renderer::drawFace(const PictureState& picture, const SceneFace& face, cons
   pace.slice = PictureSlices::unbounded;
   const PictureState shown{seen, picture.light, picture.transfer, pace, nobody};
   const Passes passes = passesOf(seen.shading);
-  drawScene({shown, passes, true, face.leftOut, face.withoutEmission}, {0, 0, face.side, face.side}, target)
+  drawScene({.picture = shown,
+             .passes = passes,
+             .isFace = true,
+             .leftOut = face.leftOut,
+             .withoutEmission = face.withoutEmission},
+            {0, 0, face.side, face.side}, target)
       .finish();
 }
 
