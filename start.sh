@@ -28,12 +28,15 @@ produce before.png "$out/baked.glb" render "$out/shapes.glb" --shading phong
 produce after.png "$out/baked.glb" render "$out/baked.glb" --shading sh
 produce room.glb "$prelight" scene salon
 produce unlit.png "$room" render "$room" --shading phong --debug albedo --size 480x270
-echo "Light fills the room: two pictures of about a minute each without a graphics card"
-produce noon.png "$room" render "$room" --size 480x270 --exposure 0.35 --env preetham:3:34:28 --light "$sun"
-produce evening.png "$room" render "$room" --size 480x270
+echo "Light fills the room: three pictures of about 20 seconds each on two cores"
+noon=(--shading full --size 480x270 --exposure 0.35 --env preetham:3:34:28 --light "$sun")
+produce noon.png "$room" render "$room" "${noon[@]}"
+produce moved.png "$room" render "$room" "${noon[@]}" --move Chair:-0.7,0,0.3:100 --move "Chair seat:-0.7,0,0.3:100"
+produce evening.png "$room" render "$room" --shading full --size 480x270
 
 echo
 echo "A room without light, at noon, by its lamp:  $out/unlit.png, $out/noon.png, $out/evening.png"
+echo "The room with its chair moved:               $out/moved.png"
 echo "A scene before and after its bake:           $out/before.png, $out/after.png"
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && [ -z "${CI:-}" ]; then
   echo "Opening the viewer on $out/baked.glb (press H in it for its keys)"

@@ -119,6 +119,11 @@ std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm:
 
 }  // namespace
 
+std::uint64_t usualPhotons(std::size_t texels) {
+  constexpr std::uint64_t perTexel = 4, least = 50'000, most = 2'000'000;
+  return std::clamp<std::uint64_t>(perTexel * texels, least, most);
+}
+
 double widestEstimate(const CompiledScene& scene) {
   return widestShare * 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
 }

@@ -21,9 +21,14 @@
 
 namespace prelight {
 
+/// Returns the number of photons for the indirect light of a map, where none is asked for: 4 per texel,
+/// 50,000 to 2 million. Photons cost little beside the rays that gather, and too few of them enter a room
+/// that a window lights.
+std::uint64_t usualPhotons(std::size_t texels);
+
 /// Options of IndirectLight.
 struct IndirectRequest {
-  std::uint64_t photons = 50000;  ///< photons that leave lights, for the approximation that rays look up
+  std::uint64_t photons = usualPhotons(0);  ///< that leave lights, for the approximation that rays look up
   int nearestPhotons = 15;   ///< per estimate; at least leastNearestOfAll where some of it is direct light
   std::uint32_t rays = 128;  ///< per place, a power of two, at least 8
   std::uint64_t seed = 0;

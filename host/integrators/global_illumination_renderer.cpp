@@ -11,6 +11,7 @@
 #include "integrators/film.h"
 #include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
+#include "integrators/spread_specks.h"
 #include "scene/light_sources.h"
 
 namespace prelight {
@@ -51,6 +52,7 @@ GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const 
   GlobalIlluminationRequest light;
   light.indirect = request.indirect;
   light.indirect.seed = request.seed;
+  light.indirect.photons = request.photonsOfIndirectLight(lit.scene.triangleCount());
   light.indirect.rays = request.raysOfTexels(lit.sky != nullptr);
   light.causticPhotons = request.photonsOfCaustics();
   if (request.photonsBy == PhotonChoice::Importance)
@@ -94,17 +96,21 @@ Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera&
   const reference::ReferenceRequest paths = pathsOf(request);
   reference::PathTracer tracer(scene, compiled, camera, paths, &cached);
   reference::Film film(request.width, request.height, request.parts);
+  std::vector<float> excess;
   while (film.passes == 0) {
     progress.report("picture", double(film.blockPixels) / double(film.pixelCount()));
     progress.check();
     const auto first = static_cast<std::uint32_t>(film.blockPixels);
     const std::vector<glm::vec4>& means = tracer.trace(
         0, first, std::min(tracer.blockPixels(), static_cast<std::uint32_t>(film.pixelCount()) - first));
+    excess.insert(excess.end(), tracer.excess().begin(), tracer.excess().end());
     film.add(means, tracer.parts());
   }
   report.rays += tracer.rays();
   report.parts = film.partPictures();
-  return film.picture();
+  Picture picture = film.picture();
+  if (!request.guides) spreadSpecks(excess, picture, report.parts);  // denoisers do better with all noise
+  return picture;
 }
 
 std::uint64_t pixelsOf(const GlobalIlluminationPictureRequest& request) {
@@ -117,6 +123,10 @@ std::uint32_t GlobalIlluminationPictureRequest::mapTexels(std::uint32_t triangle
   const auto usual =
       std::clamp<std::uint64_t>(std::max<std::uint64_t>(pixelsOf(*this) / 32, triangles / 4), 4096, 65536);
   return texels.value_or(static_cast<std::uint32_t>(usual));
+}
+
+std::uint64_t GlobalIlluminationPictureRequest::photonsOfIndirectLight(std::uint32_t triangles) const {
+  return photons.value_or(usualPhotons(mapTexels(triangles)));
 }
 
 std::uint32_t GlobalIlluminationPictureRequest::raysOfTexels(bool sky) const {

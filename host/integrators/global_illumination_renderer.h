@@ -26,6 +26,8 @@ struct GlobalIlluminationPictureRequest {
   std::uint32_t samples = 8;  ///< per pixel, 1 to 64
   /// Approximate number of texels of the light map for indirect light; none: by the number of pixels.
   std::optional<std::uint32_t> texels;
+  /// Leave lights, for indirect light; none: by the texels.
+  std::optional<std::uint64_t> photons;
   IndirectRequest indirect{.longWay = 4};
   std::optional<std::uint32_t> gatherRays;  ///< per texel; none: by `indirect` or `samples`
   PhotonChoice photonsBy = PhotonChoice::Power;
@@ -40,6 +42,8 @@ struct GlobalIlluminationPictureRequest {
   /// are more, 4096 to 65,536, so that larger pictures are sharper at proportional cost and small parts have
   /// texels of their own.
   std::uint32_t mapTexels(std::uint32_t triangles) const;
+  /// Default when none is requested: usualPhotons().
+  std::uint64_t photonsOfIndirectLight(std::uint32_t triangles) const;
   /// Returns the rays per texel. Denoisers remove noise of pixels but not blotches of the map, so that with
   /// guides more samples imply more rays. Under a sky the number stays, since the sky's direct light has the
   /// greatest error.

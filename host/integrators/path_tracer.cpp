@@ -114,6 +114,8 @@ void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
   follow_ = {device_, file, options, "followPaths"};
   add_ = {device_, file, options, "addArrivals"};
   average_ = {device_, file, options, "averageSamples"};
+  measureExcess_ = {device_, file, options, "measureExcess"};
+  excessBuffer_ = Buffer<float>(device_, blockPixels_);
   if (scene_.features().culled) culled_.emplace(scene_, file, options, mostPaths_);
   if (request.parts) averageParts_ = {device_, file, options, "averageParts"};
   setCachedLight(*cached_, values_.samplesPerPass, cachedValues_);
@@ -149,6 +151,11 @@ const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_
   if (caustics_) averageBlurs_.launch(count, parameters_, blurs_, meanBuffer_);
   means_.resize(count);
   meanBuffer_.read(std::span(means_));
+  if (cached_) {
+    measureExcess_.launch(count, parameters_, paths_, excessBuffer_);
+    excess_.resize(count);
+    excessBuffer_.read(std::span(excess_));
+  }
   if (!request_.parts) return means_;
   averageParts_.launch(tracedParts * count, parameters_, paths_, partBuffer_);
   partMeans_.resize(tracedParts * count);

@@ -34,6 +34,10 @@ class PathTracer {
   /// Returns the parts of the last block, [PicturePart][pixel]; empty if the request has no parts.
   const std::vector<glm::vec4>& parts() const { return partMeans_; }
 
+  /// Returns the luminance by which single samples raise the pixels of the last block, [pixel]; empty without
+  /// cached light.
+  const std::vector<float>& excess() const { return excess_; }
+
   std::uint64_t rays() const {
     return rays_ + (virtual_ ? virtual_->rays() : 0) + (walker_ ? walker_->rays() : 0) +
            (caustics_ ? caustics_->rays() : 0) + (culled_ ? culled_->rays() : 0);
@@ -67,6 +71,7 @@ class PathTracer {
   std::uint32_t blockPixels_ = 0;
   std::uint64_t rays_ = 0;
   std::vector<glm::vec4> means_, partMeans_;
+  std::vector<float> excess_;
   std::optional<VirtualLights> virtual_;
   std::optional<CausticPasses> caustics_;      ///< present if punctual lights make caustics
   std::optional<std::uint64_t> preparedPass_;  ///< pass of the present virtual lights and caustics
@@ -117,6 +122,8 @@ class PathTracer {
       addPhotons_;
   Kernel<Parameters, Buffer<float>, Buffer<glm::vec4>> averageBlurs_;
   Kernel<Parameters, Paths, Buffer<glm::vec4>> average_, averageParts_;
+  Buffer<float> excessBuffer_;  ///< [pixel], used with cached light
+  Kernel<Parameters, Paths, Buffer<float>> measureExcess_;
 };
 
 }  // namespace prelight::reference

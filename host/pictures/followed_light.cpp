@@ -11,7 +11,7 @@ namespace prelight::pictures {
 namespace {
 
 /// Fewer than elsewhere, because a few frames may have to send all of them again.
-constexpr std::uint64_t followedCausticPhotons = 20000;
+constexpr std::uint64_t followedPhotons = 50'000, followedCausticPhotons = 20'000;
 
 /// Returns the request for a picture of the size of `shaded`.
 GlobalIlluminationPictureRequest sizedRequest(const PictureRequest& asked, const ShadedScene& shaded) {
@@ -63,7 +63,8 @@ GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const Pictur
                      lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
   GlobalIlluminationRequest request;
-  request.indirect.photons = asked.full.indirect.photons;
+  const std::uint32_t triangles = lit.scene.triangleCount();
+  request.indirect.photons = sized.photonsOfIndirectLight(triangles);
   request.indirect.rays = asked.full.indirect.rays;
   request.indirect.seed = asked.bake.request.seed;
   request.indirect.directByPhotons = true;  // as in the frames that follow, see LiveLight
@@ -71,7 +72,7 @@ GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const Pictur
   request.causticPhotons = sized.photonsOfCaustics();
   GlobalIllumination light = session.measure("light", [&] {
     return computeGlobalIllumination(shaded.loaded.scene, lit, request,
-                                     sized.mapTexels(shaded.loaded.compiled.triangleCount()), *device,
+                                     sized.mapTexels(triangles), *device,
                                      session.progress());
   });
   return light;
@@ -83,7 +84,7 @@ std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const Pi
   CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
   LiveLightOptions live = optionsOfWindows();
-  live.photons = asked.full.indirect.photons;
+  live.photons = asked.full.photons.value_or(followedPhotons);
   live.texels = sized.mapTexels(shaded.loaded.compiled.triangleCount());
   live.gather.rays = asked.full.indirect.rays;
   if (!asked.countedFrames) live.clock = steadySeconds;

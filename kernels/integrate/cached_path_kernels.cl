@@ -1,6 +1,6 @@
 // Camera paths that end where they meet precomputed light. All work at a surface is done in one kernel, because most of
 // the time goes into looking up the surface's material.
-//   generatePaths -> [trace -> followPaths -> trace -> addArrivals] ... -> averageSamples
+//   generatePaths -> [trace -> followPaths -> trace -> addArrivals] ... -> averageSamples, measureExcess
 // Options: those of the included files, PRELIGHT_CACHED_CAUSTICS (there are caustic photons).
 #include "gather/irradiance_map_funcs.cl"
 #ifdef PRELIGHT_CACHED_CAUSTICS
@@ -142,4 +142,20 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
 #endif
   paths[number] = path;
   marks[i] = mark;
+}
+
+// One work-item per pixel of the block. paths [pixel][samplesPerPass] -> excess [pixel]: luminance by which the brightest
+// sample raises the mean over what it would be if that sample were as bright as the second brightest.
+__kernel void measureExcess(__constant const ReferenceParameters* p, __global const PathState* paths,
+                            __global float* excess) {
+  const size_t i = get_global_id(0);
+  const uint n = p->samplesPerPass;
+  if (i >= p->pathCount / n) return;
+  float first = 0.0f, second = 0.0f;
+  for (uint s = 0; s < n; ++s) {
+    const float value = dot(vload3(0, paths[i * n + s].radiance), (float3)(0.2126f, 0.7152f, 0.0722f));
+    second = fmax(second, fmin(first, value));
+    first = fmax(first, value);
+  }
+  excess[i] = n > 1u ? (first - second) / (float)n : 0.0f;
 }

@@ -138,18 +138,55 @@ PRELIGHT_INLINE float3 arrivingBy(__constant const ReferenceParameters* p, PathS
 }
 
 #ifdef PRELIGHT_LIGHT_CANDIDATES
-// Chooses one of several samples of all lights in proportion to the light that each would bring, and writes the mean of
-// that light (resampled importance sampling: Talbot, Cline and Egbert 2005). Sky samples are drawn without regard to
-// the surface, so many lie behind it.
+// The lights of one kind, whose samples are compared with one another.
+typedef struct LightStratum {
+  uint first, width;  // of the bits that choose a light, in 2^32; width 0: all of them
+  uint candidates;
+  float weight;  // of its samples
+} LightStratum;
+
+// Chooses a kind of lights for a path, half by power and half evenly: punctual lights, emitters, or the sky. Compared
+// with what the sun would bring without anything in between, the light of the sky or of a lamp would hardly ever be
+// chosen where the sun is hidden, and then count as much as the sun's.
+PRELIGHT_INLINE LightStratum chooseStratum(__global const uint* bounds, __constant const LightLayout* layout, float chance) {
+  uint sky = layout->emitterGroup;  // the order of groups is that of sampleLight
+#ifdef PRELIGHT_EMITTERS
+  ++sky;
+#endif
+  const uint ends[3] = {layout->emitterGroup, sky, layout->groupCount};
+  uint kinds = 0u;
+  for (uint kind = 0u, first = 0u; kind < 3u; first = ends[kind++]) kinds += first < ends[kind] ? 1u : 0u;
+  LightStratum chosen;
+  for (uint kind = 0u, first = 0u; kind < 3u; first = ends[kind++]) {
+    if (first == ends[kind]) continue;
+    const uint end = ends[kind] < layout->groupCount ? bounds[ends[kind]] : 0u;
+    chosen.first = bounds[first];
+    chosen.width = end - bounds[first];
+    const float part = kinds == 1u ? 1.0f : (float)chosen.width * 2.3283064e-10f;
+    const float share = 0.5f * part + 0.5f / (float)kinds;
+    chosen.weight = part / share;
+    chosen.candidates = kind == 0u && ends[0] == 1u ? 1u : PRELIGHT_LIGHT_CANDIDATES;
+    if (chance < share) break;
+    chance -= share;
+  }
+  return chosen;
+}
+
+// Chooses one of several samples of a stratum's lights in proportion to the light that each would bring, and writes the
+// mean of that light (resampled importance sampling: Talbot, Cline and Egbert 2005). Sky samples are drawn without
+// regard to the surface, so many lie behind it.
 PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
                                    PathPoint at, PathState path, LightSample* chosen, float3* arriving) {
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
-  float chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_CANDIDATE).x;
+  const float2 chances = pathPoint(p, at.path, pair + PRELIGHT_PAIR_CANDIDATE);
+  const LightStratum stratum = chooseStratum(lights.tables, &p->scene.lights, chances.y);
+  float chance = chances.x;
   float sum = 0.0f, share = 0.0f;
 #pragma unroll 1  // compiling four copies takes longer than they save
-  for (uint i = 0; i < PRELIGHT_LIGHT_CANDIDATES; ++i) {
-    const uint2 choice = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT, PRELIGHT_LIGHT_CANDIDATES, i);
-    const uint2 place = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE, PRELIGHT_LIGHT_CANDIDATES, i);
+  for (uint i = 0; i < stratum.candidates; ++i) {
+    uint2 choice = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT, stratum.candidates, i);
+    const uint2 place = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE, stratum.candidates, i);
+    if (stratum.width > 0u) choice.x = stratum.first + mul_hi(choice.x, stratum.width);
     LightSample a;
     if (!sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a)) continue;
     const float3 radiance = arrivingBy(p, s, at, path, a);
@@ -167,7 +204,7 @@ PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint
     }
   }
   if (!(share > 0.0f)) return false;
-  *arriving *= sum / (share * (float)PRELIGHT_LIGHT_CANDIDATES);
+  *arriving *= stratum.weight * sum / (share * (float)stratum.candidates);
   return true;
 }
 #endif

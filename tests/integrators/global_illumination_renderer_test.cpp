@@ -136,6 +136,47 @@ TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
   EXPECT_NEAR(sum, 2.0, 0.02 * 2.0);
 }
 
+/// The share of a point's cosine-weighted hemisphere that a square covers, one metre above it.
+double coveredBySquare(double half) {
+  const double root = std::sqrt(1.0 + half * half);
+  return 4.0 / std::numbers::pi * (half / root) * std::atan(half / root);
+}
+
+/// A roof hides the sun from a floor that the sky lights from the sides. The sun must bring no noise there:
+/// each kind of light has its share of the samples.
+TEST(GlobalIlluminationRenderer, BelowARoof_TheHiddenSunBringsNoNoise) {
+  const float half = 1.5f;
+  IlluminatedShot shot;
+  shot.scene = ground(1, 10.0f);
+  shot.scene.materials[0] = lambert(1.0f);
+  append(shot.scene, sceneOf({{-half, 1, -half}, {half, 1, -half}, {half, 1, half}, {-half, 1, half}},
+                             {{0, 1, 2}, {0, 2, 3}}));
+  shot.scene.materials[1] = lambert(0.0f);
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.direction = {0, -1, 0};
+  sun.intensity = glm::vec3(300.0f);
+  shot.lights = {sun};
+  shot.sky = constantEnvironment(glm::vec3(1.0f));
+  shot.camera = orthographicCamera({0, 0.5, 0}, {0, 0, 0}, 1e-3);
+  shot.request.width = shot.request.height = 16;
+  shot.request.samples = 32;
+  shot.request.parts = true;
+  shot.request.guides = true;  // without specks being spread
+  shot.render();
+  const double expected = 1.0 - coveredBySquare(half);
+  double sum = 0.0, squares = 0.0;
+  for (const PartPicture& part : shot.report.parts) {
+    if (part.part != PicturePart::Direct) continue;
+    for (const glm::vec3& pixel : part.pixels) {
+      sum += double(pixel.y);
+      squares += std::pow(double(pixel.y) - expected, 2.0);
+    }
+  }
+  EXPECT_NEAR(sum / 256.0, expected, 0.1 * expected);
+  EXPECT_LT(std::sqrt(squares / 256.0), expected);
+}
+
 /// A leaf of 4 x 4 m in the sun, 1 m above a floor, transmits 0.8 of the light. The floor under its middle
 /// receives the leaf's form factor of that. The leaf is also seen from below.
 TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {

@@ -169,8 +169,9 @@ enum class GatherChoice : std::uint8_t {
 
 /// Options of full shading.
 struct FullOptions {
-  std::uint32_t samples = 8;      ///< per pixel, 1 to 64
-  std::uint64_t photons = 50000;  ///< photons that leave lights, for indirect light
+  std::uint32_t samples = 8;  ///< per pixel, 1 to 64
+  /// Photons that leave lights, for indirect light; none: 4 per texel of its map, 50,000 to 2 million.
+  std::optional<std::uint64_t> photons = {};
   PhotonChoice photonsBy = PhotonChoice::Power;
   /// Photons that are emitted towards objects that make caustics; none: by the number of pixels.
   std::optional<std::uint64_t> causticPhotons = {};

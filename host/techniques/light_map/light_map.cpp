@@ -32,7 +32,6 @@ std::vector<PlannedPass> lightMapPasses(const PlanInput& input) {
 
 /// Photons that leave lights for a map of so many texels.
 std::uint64_t photonsFor(const BakeRequest& request, std::uint64_t texels) {
-  constexpr std::uint64_t photonsForFilters = 4;
   if (request.lightMap.photons > 0) return request.lightMap.photons;
   return usualPhotons(texels) * (request.lightMap.denoise ? photonsForFilters : 1);
 }

@@ -14,9 +14,6 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint64_t leastPhotons = 50'000, mostPhotons = 2'000'000;
-constexpr std::uint64_t photonsPerTexel = 4;
-
 /// Gathering rays a texel: indirect light is smoother than what receivers see of it.
 std::uint32_t gatherRays(const BakeRequest& request) { return std::max(16u, raysEach(request) / 4); }
 
@@ -63,10 +60,6 @@ LightMapLayout withBacks(const Scene& source, Tracer& tracer, const CompiledScen
 }
 
 }  // namespace
-
-std::uint64_t usualPhotons(std::size_t texels) {
-  return std::clamp<std::uint64_t>(photonsPerTexel * texels, leastPhotons, mostPhotons);
-}
 
 LightMapLight::LightMapLight(const Scene& source, const CompiledScene& scene, const LightMapLayout& layout,
                              const BakeRequest& request, const Plan& plan, const Device& device,

@@ -37,9 +37,6 @@ class LightMapLight {
   std::optional<PhotonLightPart> causticPart_;
 };
 
-/// Photons that a light map is made with, where no number is asked for: a few a texel.
-std::uint64_t usualPhotons(std::size_t texels);
-
 /// As many times the photons where a filter follows: what they tell wrongly all gathering rays see, so that
 /// no filter knows it for noise.
 constexpr std::uint64_t photonsForFilters = 4;

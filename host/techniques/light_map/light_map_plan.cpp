@@ -10,6 +10,7 @@
 #include "charts/light_map_charts.h"
 #include "charts/make_light_map_layout.h"
 #include "encodings/encoding.h"
+#include "gi/indirect_light.h"
 #include "photon/photon_sources.h"
 #include "scene/light_sources.h"
 #include "techniques/light_map/light_map_light.h"
