@@ -13,7 +13,7 @@ namespace {
 constexpr int levelReach = 3, spreadReach = 6;  // pixels
 constexpr double brighterShare = 0.2;           // of the pixels around a speck, at most, are as bright
 constexpr double leastContrast = 1.5;           // of a speck and the light that it may keep
-constexpr double mostTaken = 2.0;               // brighter pixels take no more than such a multiple of a speck
+constexpr double mostTaken = 2.0;  // brighter pixels take no more than such a multiple of a speck
 
 /// The pixels within a reach, a square that the picture's borders cut.
 struct Window {
@@ -84,8 +84,9 @@ class SpeckSpreader {
       if (!(sum[c] > 0.0))
         result[speck][c] += given[c];
       else
-        window.each(picture_.width,
-                    [&](std::size_t j) { result[j][c] += given[c] * std::min(kept_[j][c], most[c]) / sum[c]; });
+        window.each(picture_.width, [&](std::size_t j) {
+          result[j][c] += given[c] * std::min(kept_[j][c], most[c]) / sum[c];
+        });
     }
   }
 

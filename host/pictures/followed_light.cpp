@@ -71,8 +71,7 @@ GlobalIllumination drawnGlobalIllumination(DrawingSession& session, const Pictur
   request.indirect.spreadsExcess = false;
   request.causticPhotons = sized.photonsOfCaustics();
   GlobalIllumination light = session.measure("light", [&] {
-    return computeGlobalIllumination(shaded.loaded.scene, lit, request,
-                                     sized.mapTexels(triangles), *device,
+    return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(triangles), *device,
                                      session.progress());
   });
   return light;

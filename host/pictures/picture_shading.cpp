@@ -21,11 +21,8 @@ namespace {
 /// The largest scene whose photons are traced without being asked for.
 constexpr std::size_t mostTracedTriangles = 500'000;
 
-bool carriesAny(const Bake& bake) {
-  return std::ranges::any_of(viewer::shadings(), [&](const viewer::ShadingInfo& info) {
-    return !info.bakeOption.empty() && info.carriedBy(bake);
-  });
-}
+/// The relMSE above which pictures of a bake give way to traced light.
+constexpr float mostErrorOfBakes = 0.1f;
 
 /// Returns whether all light of a picture can be traced without being asked for. The pictures of a sequence
 /// are drawn from light that is computed once, so that what moves needs a window.
@@ -119,9 +116,15 @@ viewer::LightOfPicture lightOfPicture(const PictureRequest& asked, const LoadedS
 viewer::Shading chooseShading(DrawingSession& session, const PictureRequest& asked, bool window,
                               const LoadedScene& loaded, const Bake& bake,
                               const viewer::LightOfPicture& light) {
-  if (carriesAny(bake)) return viewer::carriedShading(bake, light);
+  const viewer::CarriedShading carried = viewer::carriedShading(bake, light);
+  if (carried.error <= mostErrorOfBakes) return carried.shading;
   const bool all = canTrace(asked, window, loaded.compiled) && (light.sky || light.outside || light.inside);
-  return all && findsDevice(session, asked) ? viewer::Shading::GlobalIllumination : viewer::Shading::Phong;
+  if (!all || !findsDevice(session, asked)) return carried.shading;
+  if (carried.shading != viewer::Shading::Phong)
+    session.note(fmt::format(
+        "drawn in full shading: the file's bake lacks much of this light (DrawRequest::shading {} shows it)",
+        viewer::shadingName(carried.shading)));
+  return viewer::Shading::GlobalIllumination;
 }
 
 }  // namespace prelight::pictures

@@ -138,11 +138,11 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   const viewer::LightOfPicture light =
       lightOfPicture(asked, shaded.loaded, shaded.environment ? &*shaded.environment : nullptr,
                      asked.render.skyRotation + sky.rotation);
-  render.shading =
-      asked.shading.value_or(asked.objects.any()         ? shadingAmong(asked.objects, shaded.bake)
-                             : asked.encoding != nullptr ? viewer::Shading::LightMap
-                                                         : chooseShading(session, asked, everyShading,
-                                                                         shaded.loaded, shaded.bake, light));
+  render.shading = asked.shading         ? *asked.shading
+                   : asked.objects.any() ? shadingAmong(asked.objects, shaded.bake)
+                   : asked.encoding != nullptr
+                       ? viewer::Shading::LightMap
+                       : chooseShading(session, asked, everyShading, shaded.loaded, shaded.bake, light);
   checkAreaLights(asked, render.shading, everyShading, shaded.bake);
   shaded.encoding = asked.encoding;
   checkEncoding(asked.scene, shaded.bake, render.shading, shaded.encoding);

@@ -104,6 +104,20 @@ TEST_F(CliChoice, FullShading_ShowsTheMoment) {
   EXPECT_GT(difference("rest.exr", "there.exr"), 0.01);
 }
 
+/// Transfer knows no bounces of lamps that stand in a room.
+TEST_F(CliChoice, BakeThatLacksTheLight_GivesWayToFullShading_UnlessItIsAskedFor) {
+  prelightDone({"scene", "rooms", "-o", "rooms.glb"});
+  prelightDone({"bake", "rooms.glb", "-o", "baked.glb", "--sh", "2", "--rays", "4", "--bounces", "1"});
+  const auto drawn = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "baked.glb", "-o", "a.exr", "--size", "16x12"});
+    const ProcessResult result = prelightDone(options);
+    return result.output + result.errors;
+  };
+  EXPECT_THAT(drawn({}), ::testing::AllOf(HasSubstr("full shading"), HasSubstr("--shading sh")));
+  EXPECT_THAT(drawn({"--shading", "sh"}),
+              ::testing::AllOf(HasSubstr("sh shading"), ::testing::Not(HasSubstr("drawn in full"))));
+}
+
 TEST_F(CliChoice, Scenes_AreChosenByNameAndNumber) {
   writeFile("choices.glb", choices().bytes());
   const auto nodes = [&](std::vector<std::string> options) {

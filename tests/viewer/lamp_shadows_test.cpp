@@ -138,14 +138,15 @@ TEST(CarriedShading, OfABakeOfManyKinds_IsTheOneThatShowsTheLight) {
   bake.ao = {1.0f};
   bake.bentNormals = {glm::vec3(0, 0, 1)};
   const viewer::LightOfPicture room{.sky = false, .inside = true};
-  EXPECT_EQ(viewer::carriedShading(bake, room), Shading::LightMap);
-  EXPECT_EQ(viewer::carriedShading(bake, {.sky = false, .inside = true, .asBaked = false}), Shading::Sh);
-  EXPECT_EQ(viewer::carriedShading(bake, {.sky = true, .asBaked = false}), Shading::Sh);
+  EXPECT_EQ(viewer::carriedShading(bake, room).shading, Shading::LightMap);
+  EXPECT_EQ(viewer::carriedShading(bake, {.sky = false, .inside = true, .asBaked = false}).shading,
+            Shading::Sh);
+  EXPECT_EQ(viewer::carriedShading(bake, {.sky = true, .asBaked = false}).shading, Shading::Sh);
   bake.lightMap.reset();
   bake.lightGroups.emplace();
-  EXPECT_EQ(viewer::carriedShading(bake, room), Shading::Lights);
-  EXPECT_EQ(viewer::carriedShading(bake, {.sky = true, .inside = true}), Shading::Sh);
-  EXPECT_EQ(viewer::carriedShading(Bake{}, room), Shading::Phong);
+  EXPECT_EQ(viewer::carriedShading(bake, room).shading, Shading::Lights);
+  EXPECT_EQ(viewer::carriedShading(bake, {.sky = true, .inside = true}).shading, Shading::Sh);
+  EXPECT_EQ(viewer::carriedShading(Bake{}, room).shading, Shading::Phong);
 }
 
 TEST(CarriedShading, WhereSurfacesEncloseOneAnother_ShowsBounces) {
@@ -155,9 +156,30 @@ TEST(CarriedShading, WhereSurfacesEncloseOneAnother_ShowsBounces) {
   bake.bentNormals = {glm::vec3(0, 0, 1)};
   const viewer::LightOfPicture sun{.sky = false, .outside = true};
   bake.ao = {0.9f, 0.7f};  // an open place, where the sun's shadows count
-  EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Ao);
+  EXPECT_EQ(viewer::carriedShading(bake, sun).shading, Shading::Ao);
+  EXPECT_LT(viewer::carriedShading(bake, sun).error, 0.05f);
   bake.ao = {0.3f, 0.1f};  // a room
-  EXPECT_EQ(viewer::carriedShading(bake, sun), Shading::Sh);
+  EXPECT_EQ(viewer::carriedShading(bake, sun).shading, Shading::Sh);
+  EXPECT_LT(viewer::carriedShading(bake, sun).error, 0.1f);
+}
+
+/// Transfer holds the bounces of light from afar alone.
+TEST(CarriedShading, ByLampsInARoomAlone_IsExpectedToErrFromTransfer_ButNotFromItsOwnLight) {
+  const viewer::LightOfPicture lamps{.sky = false, .inside = true};
+  Bake bake;
+  bake.sh.emplace();
+  bake.info.bounces = 2;
+  EXPECT_GT(viewer::carriedShading(bake, lamps).error, 0.1f);
+  EXPECT_LT(viewer::carriedShading(bake, {.sky = true, .inside = true}).error, 0.1f);
+  bake.bentNormals = {glm::vec3(0, 0, 1)};
+  bake.ao = {0.3f, 0.1f};  // a room
+  EXPECT_GT(viewer::carriedShading(bake, lamps).error, 0.1f);
+  bake.ao = {0.9f, 0.7f};  // an open place
+  EXPECT_LT(viewer::carriedShading(bake, lamps).error, 0.1f);
+  bake.ao = {0.3f, 0.1f};
+  bake.lightMap.emplace();
+  EXPECT_LT(viewer::carriedShading(bake, lamps).error, 0.1f);
+  EXPECT_GT(viewer::carriedShading(Bake{}, lamps).error, 0.1f);
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(LightMapShading, NormalMap_TurnsToTheLight) {
 }
 
 TEST(LightMapShading, FileWithALightMapAlone_IsShownSo) {
-  EXPECT_EQ(viewer::carriedShading(ballAndSheet().bake, {}), Shading::LightMap);
+  EXPECT_EQ(viewer::carriedShading(ballAndSheet().bake, {}).shading, Shading::LightMap);
 }
 
 TEST(LightMapShading, LightMapOfAnotherScene_IsRefused) {

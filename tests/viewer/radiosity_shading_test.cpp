@@ -32,7 +32,7 @@ TEST(RadiosityShading, Picture_IsAlbedoTimesIrradianceOverPiPlusEmission) {
 }
 
 TEST(RadiosityShading, FileWithIrradianceAlone_IsShownSo) {
-  EXPECT_EQ(viewer::carriedShading(quadOfIrradiance(glm::vec3(1.0f)).bake, {}), Shading::Radiosity);
+  EXPECT_EQ(viewer::carriedShading(quadOfIrradiance(glm::vec3(1.0f)).bake, {}).shading, Shading::Radiosity);
 }
 
 TEST(RadiosityShading, IrradianceOfAnotherScene_IsRefused) {

@@ -27,46 +27,51 @@ Shading parseShading(std::string_view name) {
                    didYouMean(name, names) + "one of: " + shadingNames());
 }
 
-float expectedError(Shading shading, const LightOfPicture& light) {
-  const ShadingInfo& info = infoOf(shading);
+namespace {
+
+constexpr float usualAlbedo = 0.5f;
+
+/// The relMSE that pictures of a shading are expected to have in a light, apart from bounces.
+float expectedError(const ShadingInfo& info, const LightOfPicture& light) {
   if (info.traits.bakedLight && !light.asBaked) return 1.0f;
   float error = light.sky || (!light.outside && !light.inside) ? info.error.sky : 0.0f;
   if (light.outside) error = std::max(error, info.error.outside);
   return light.inside ? std::max(error, info.error.inside) : error;
 }
 
-namespace {
+bool shinesOnlyInside(const LightOfPicture& light) { return light.inside && !light.sky && !light.outside; }
 
-constexpr float usualAlbedo = 0.5f;
+/// Returns the mean share of their sky that vertices see. A scene that lamps inside alone light is taken for
+/// closed where its bake does not tell, any other for open.
+float opennessOf(const Bake& bake, const LightOfPicture& light) {
+  for (const ShadingInfo& info : shadings())
+    if (info.openness != nullptr && info.carriedBy(bake)) return static_cast<float>(info.openness(bake));
+  return shinesOnlyInside(light) ? 0.0f : 1.0f;
+}
 
 /// Returns the relMSE of pictures that lack bounces, which grows with how closed the scene is: surfaces that
 /// hide a share of each other's sky send on that share of the light times their albedo, again and again.
-float errorWithoutBounces(const Bake& bake) {
-  for (const ShadingInfo& info : shadings()) {
-    if (info.openness == nullptr || !info.carriedBy(bake)) continue;
-    const float lost = usualAlbedo * static_cast<float>(1.0 - info.openness(bake));
-    return lost * lost;
-  }
-  return 0.0f;
+float errorWithoutBounces(float openness) {
+  const float lost = usualAlbedo * (1.0f - openness);
+  return lost * lost;
 }
 
-bool showsBounces(const ShadingInfo& info, const Bake& bake) {
-  return info.traits.bakedLight || (info.traits.bounces && bake.info.bounces > 0);
+/// Bounces of transfer are those of light from afar.
+bool showsBounces(const ShadingInfo& info, const Bake& bake, const LightOfPicture& light) {
+  return info.traits.bakedLight || (info.traits.bounces && bake.info.bounces > 0 && !shinesOnlyInside(light));
 }
 
 }  // namespace
 
-Shading carriedShading(const Bake& bake, const LightOfPicture& light) {
-  const float withoutBounces = errorWithoutBounces(bake);
-  Shading best = Shading::Phong;
-  float least = std::numeric_limits<float>::infinity();
+CarriedShading carriedShading(const Bake& bake, const LightOfPicture& light) {
+  const float withoutBounces = errorWithoutBounces(opennessOf(bake, light));
+  CarriedShading best{.error = std::numeric_limits<float>::infinity()};
   for (const Shading shading : shadingsByPreference()) {
     const ShadingInfo& info = infoOf(shading);
-    float error = expectedError(shading, light);
-    if (!showsBounces(info, bake)) error = std::max(error, withoutBounces);
-    if (info.bakeOption.empty() || !info.carriedBy(bake) || error >= least) continue;
-    best = shading;
-    least = error;
+    if (info.bakeOption.empty() || !info.carriedBy(bake)) continue;
+    float error = expectedError(info, light);
+    if (!showsBounces(info, bake, light)) error = std::max(error, withoutBounces);
+    if (error < best.error) best = {shading, error};
   }
   return best;
 }

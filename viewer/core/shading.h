@@ -37,10 +37,13 @@ struct LightOfPicture {
   bool asBaked = true;   ///< lights, sky and objects are those that the file's bake was made with
 };
 
-/// The relMSE that pictures of a shading are expected to have in a light.
-float expectedError(Shading shading, const LightOfPicture& light);
+/// A shading that a bake carries, and the relMSE that its pictures are expected to have.
+struct CarriedShading {
+  Shading shading = Shading::Phong;
+  float error = 1.0f;
+};
 
 /// The shading of least expected error of those that a bake carries; Phong where it carries none.
-Shading carriedShading(const Bake& bake, const LightOfPicture& light);
+CarriedShading carriedShading(const Bake& bake, const LightOfPicture& light);
 
 }  // namespace prelight::viewer

@@ -92,8 +92,8 @@ GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest&
   part.texels = static_cast<std::uint32_t>(scaled(whole.mapTexels(triangles) * share));
   part.causticPhotons =
       static_cast<std::uint64_t>(scaled(static_cast<double>(whole.photonsOfCaustics()) * share));
-  part.photons =
-      static_cast<std::uint64_t>(scaled(static_cast<double>(whole.photonsOfIndirectLight(triangles)) * share));
+  part.photons = static_cast<std::uint64_t>(
+      scaled(static_cast<double>(whole.photonsOfIndirectLight(triangles)) * share));
   return part;
 }
 
