@@ -167,6 +167,20 @@ TexelCells::Places TexelCells::around(const LightMapTexel& texel) const {
   return places;
 }
 
+std::vector<LightMapTexel> TexelCells::within(const LightMapTexel& texel) const {
+  constexpr int across = 4;
+  std::vector<glm::dvec2> offsets;  // from the square's middle
+  for (int y = 0; y < across; ++y)
+    for (int x = 0; x < across; ++x) offsets.push_back((glm::dvec2(x, y) + 0.5) / double(across) - 0.5);
+  std::ranges::stable_sort(offsets, {}, [](const glm::dvec2& offset) { return glm::dot(offset, offset); });
+  const auto width = static_cast<std::uint32_t>(layout_.width);
+  const glm::dvec2 middle = glm::dvec2(texel.texel % width, texel.texel / width) + 0.5;
+  std::vector<LightMapTexel> places;
+  for (const glm::dvec2& offset : offsets)
+    if (std::optional<LightMapTexel> place = at(texel, middle + offset)) places.push_back(*place);
+  return places;
+}
+
 void spreadReceivers(const CompiledScene& scene, std::span<const LightMapTexel> texels,
                      const TexelCells* cells, std::uint32_t perTexel,
                      std::vector<device::Receiver>& receivers) {

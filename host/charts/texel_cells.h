@@ -35,6 +35,10 @@ class TexelCells {
   /// chart. All are the texel's own place if it is not whole.
   Places around(const LightMapTexel& texel) const;
 
+  /// Returns places spread over a texel's square, as far as they lie on its chart, those nearest to the
+  /// square's middle first.
+  std::vector<LightMapTexel> within(const LightMapTexel& texel) const;
+
  private:
   std::optional<LightMapTexel> at(const LightMapTexel& texel, const glm::dvec2& place) const;
   std::span<const std::uint32_t> facesAt(const glm::dvec2& place) const;

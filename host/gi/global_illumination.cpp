@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/clocks.h"
+#include "charts/hollows.h"
 #include "charts/light_map_charts.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
@@ -87,7 +88,10 @@ GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene
   light.plan.push_back(addMetBacks(compiled, sent.hits.backs, surface));
   stages.mark("layout");
 
-  if (indirectRuns || causticsRun) findWalls(compiled, scene.tracer(), surface.layout);
+  if (indirectRuns || causticsRun) {
+    leaveHollows(compiled, scene.tracer(), surface.layout);
+    findWalls(compiled, scene.tracer(), surface.layout);
+  }
   const SurfacePatches patches(compiled, scene.tracer(), std::move(surface.layout), surface.density);
   stages.mark("walls");
 
