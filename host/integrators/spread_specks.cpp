@@ -34,7 +34,7 @@ struct Window {
 
 class SpeckSpreader {
  public:
-  SpeckSpreader(std::span<const float> excess, Picture& picture) : picture_(picture) {
+  SpeckSpreader(std::span<const float> excess, const Picture& picture) : picture_(picture) {
     luminances_.reserve(picture.pixels.size());
     for (const glm::vec3& pixel : picture.pixels) {
       kept_.emplace_back(pixel);
