@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
@@ -81,23 +82,25 @@ class OpenRays {
 
 void leaveHollows(const CompiledScene& scene, Tracer& tracer, LightMapLayout& layout) {
   OpenRays rays(scene, tracer, layout);
-  std::vector<std::uint8_t> open = rays.count(layout.texels);
-  std::vector<std::size_t> owners;  // [candidate] index of the texel
+  const std::vector<std::uint8_t> open = rays.count(layout.texels);
   std::vector<LightMapTexel> candidates;
+  std::vector<std::size_t> owners, firsts;  // texels in hollows, and their first candidates
   std::optional<TexelCells> cells;
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (open[i] > mostOpenOfHollows) continue;
     if (!cells) cells.emplace(scene, layout);
-    for (const LightMapTexel& place : cells->within(layout.texels[i])) {
-      candidates.push_back(place);
-      owners.push_back(i);
-    }
+    owners.push_back(i);
+    firsts.push_back(candidates.size());
+    std::ranges::copy(cells->within(layout.texels[i]), std::back_inserter(candidates));
   }
+  firsts.push_back(candidates.size());
   const std::vector<std::uint8_t> found = rays.count(candidates);
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (found[c] <= std::max(open[owners[c]], mostOpenOfHollows)) continue;
-    open[owners[c]] = found[c];
-    layout.texels[owners[c]] = candidates[c];
+  const auto isOpen = [](std::uint8_t count) { return count > mostOpenOfHollows; };
+  for (std::size_t n = 0; n < owners.size(); ++n) {
+    const auto own = std::span(found).subspan(firsts[n], firsts[n + 1] - firsts[n]);
+    if (2 * std::ranges::count_if(own, isOpen) <= std::ssize(own)) continue;
+    const auto nearest = std::ranges::find_if(own, isOpen) - own.begin();
+    layout.texels[owners[n]] = candidates[firsts[n] + static_cast<std::size_t>(nearest)];
   }
 }
 

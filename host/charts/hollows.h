@@ -7,9 +7,9 @@
 namespace prelight {
 
 /// Moves the places of texels out of hollows smaller than a texel, as between parts of a chair that reach
-/// into one another, if other parts of their squares lie open: a texel shows the light of its place wherever
-/// it is seen. A place lies in a hollow where all of a few rays, or nearly all, meet something within a
-/// texel's side. It moves to the place from which most rays meet nothing there. Call it before findWalls(),
+/// into one another, if most of their squares lies open: a texel shows the light of its place wherever it is
+/// seen. A place lies in a hollow where all of a few rays, or nearly all, meet something within a texel's
+/// side. It moves to the open place that is nearest to the square's middle. Call it before findWalls(),
 /// and not for maps that others filter without walls: there a texel below a wall has to stay dark. The tracer
 /// must be that of the scene.
 void leaveHollows(const CompiledScene& scene, Tracer& tracer, LightMapLayout& layout);

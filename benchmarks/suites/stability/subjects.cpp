@@ -354,7 +354,8 @@ std::vector<Subject> pictures() {
        itself,
        "noise of few samples, and the sphere's facets",
        {"integrate/virtual_kernels.cl:makeVirtualLights", "integrate/virtual_kernels.cl:sampleVirtualLight",
-        "integrate/virtual_kernels.cl:castFromVirtualLights", "integrate/cached_path_kernels.cl:followPaths"},
+        "integrate/virtual_kernels.cl:castFromVirtualLights", "integrate/cached_path_kernels.cl:followPaths",
+        "integrate/cached_path_kernels.cl:measureExcess"},
        runPictures},
   };
 }
