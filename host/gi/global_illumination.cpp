@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/clocks.h"
-#include "charts/hollows.h"
+#include "charts/irradiance/hollows.h"
 #include "charts/light_map_charts.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"

@@ -1,5 +1,5 @@
 // Places of texels that leave hollows in which nobody sees them.
-#include "charts/hollows.h"
+#include "charts/irradiance/hollows.h"
 
 #include <gtest/gtest.h>
 
@@ -37,10 +37,10 @@ struct CoveredFloor {
     layout.corners.resize(3 * charts.size(), glm::vec2(0.0f));
   }
 
-  std::vector<LightMapTexel> moved() const {
+  std::vector<LightMapTexel> moved(std::span<const std::uint8_t> ignored = {}) const {
     Tracer tracer(scene, sharedDevice());
     LightMapLayout result = layout;
-    leaveHollows(scene, tracer, result);
+    leaveHollows(scene, tracer, result, ignored);
     return result.texels;
   }
 };
@@ -65,6 +65,17 @@ TEST(LeaveHollows, PlaceWithinASmallBox_MovesBesideIt_AndAllOthersStay) {
   const double beside = besideOf(positionOf(floor.scene, moved[floor.covered]), floor.place);
   EXPECT_GT(beside, double(half));
   EXPECT_LT(beside, 0.5);  // within its square
+}
+
+/// What will move makes no hollows, so that places do not depend on where it stands.
+TEST(LeaveHollows, PlaceWithinABoxThatMoves_Stays) {
+  const CoveredFloor floor(half);
+  std::vector<std::uint8_t> moves(floor.scene.triangleCount(), 1);
+  moves[0] = moves[1] = 0;  // the floor
+  const LightMapTexel moved = floor.moved(moves)[floor.covered];
+  EXPECT_EQ(positionOf(floor.scene, moved), floor.place);
+  std::fill(moves.begin(), moves.end(), std::uint8_t{0});
+  EXPECT_NE(positionOf(floor.scene, floor.moved(moves)[floor.covered]), floor.place);
 }
 
 /// A texel of which nothing is seen stays where it is.

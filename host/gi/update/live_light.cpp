@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/clocks.h"
-#include "charts/hollows.h"
+#include "charts/irradiance/hollows.h"
 #include "charts/make_light_map_layout.h"
 #include "charts/wall_search.h"
 #include "scene/pose.h"
@@ -78,12 +78,12 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
   moving_.add(scene_.compiled(), transport_, triangles);
   std::vector<std::uint8_t> moves(scene_.compiled().triangleCount(), 0);
   for (const std::uint32_t t : triangles) moves[t] = 1;
-  leaveHollows(scene_.compiled(), transport_.tracer(), layout_);
+  leaveHollows(scene_.compiled(), transport_.tracer(), layout_, moves);
   findWalls(scene_.compiled(), transport_.tracer(), layout_, moves);
   if (hasCoarseLight(options)) {
     coarseLayout_ = layoutOf(scene, scene_.compiled(),
                              std::max(1u, options.texels / (options.coarser * options.coarser)));
-    leaveHollows(scene_.compiled(), transport_.tracer(), coarseLayout_);
+    leaveHollows(scene_.compiled(), transport_.tracer(), coarseLayout_, moves);
     findWalls(scene_.compiled(), transport_.tracer(), coarseLayout_, moves);
   }
   makeLight(progress);

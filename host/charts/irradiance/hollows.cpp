@@ -1,10 +1,11 @@
-#include "charts/hollows.h"
+#include "charts/irradiance/hollows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t raysPerPlace = 16;
 constexpr std::uint8_t mostOpenOfHollows = 2;  // rays
+constexpr int mostMovingPassed = 16;           // ignored triangles that a ray passes
 constexpr std::size_t placesPerTrace = std::size_t{1} << 15;
 
 /// Returns the side of a face's texels, m: the root of the area of one.
@@ -32,8 +34,9 @@ double texelSide(const CompiledScene& scene, const LightMapLayout& layout, std::
 /// Counts the rays from places that meet nothing within a texel's side.
 class OpenRays {
  public:
-  OpenRays(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout)
-      : scene_(scene), tracer_(tracer), layout_(layout) {}
+  OpenRays(const CompiledScene& scene, Tracer& tracer, const LightMapLayout& layout,
+           std::span<const std::uint8_t> ignored)
+      : scene_(scene), tracer_(tracer), layout_(layout), ignored_(ignored) {}
 
   /// Returns the number of such rays, [place] 0 to raysPerPlace.
   std::vector<std::uint8_t> count(std::span<const LightMapTexel> places) {
@@ -47,12 +50,49 @@ class OpenRays {
   void countBlock(std::span<const LightMapTexel> places, std::vector<std::uint8_t>& open) {
     rays_.clear();
     for (const LightMapTexel& place : places) addRays(place);
-    const std::vector<device::Hit> hits = tracer_.traceAny(rays_);
+    const std::vector<std::uint8_t> blocked = ignored_.empty() ? blockedByAny() : blockedByOthers();
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto own = std::span(hits).subspan(i * raysPerPlace, raysPerPlace);
-      open.push_back(static_cast<std::uint8_t>(std::ranges::count(
-          own, PRELIGHT_NO_TRIANGLE, [](const device::Hit& hit) { return hit.triangle; })));
+      const auto own = std::span(blocked).subspan(i * raysPerPlace, raysPerPlace);
+      open.push_back(static_cast<std::uint8_t>(std::ranges::count(own, 0)));
     }
+  }
+
+  std::vector<std::uint8_t> blockedByAny() {
+    std::vector<std::uint8_t> blocked;
+    for (const device::Hit& hit : tracer_.traceAny(rays_))
+      blocked.push_back(hit.triangle != PRELIGHT_NO_TRIANGLE ? 1 : 0);
+    return blocked;
+  }
+
+  /// Returns whether rays meet triangles that are not ignored, [ray].
+  std::vector<std::uint8_t> blockedByOthers() {
+    std::vector<std::uint8_t> blocked(rays_.size(), 0);
+    std::vector<std::size_t> numbers(rays_.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    for (int passed = 0; !numbers.empty() && passed <= mostMovingPassed; ++passed) {
+      const std::vector<device::Hit> hits = tracer_.traceClosest(rays_);
+      std::size_t kept = 0;
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const std::uint32_t triangle = hits[k].triangle;
+        if (triangle == PRELIGHT_NO_TRIANGLE) continue;
+        if (ignored_[triangle] == 0) {
+          blocked[numbers[k]] = 1;
+          continue;
+        }
+        rays_[kept] = beyond(rays_[k], hits[k]);
+        numbers[kept++] = numbers[k];
+      }
+      rays_.resize(kept);
+      numbers.resize(kept);
+    }
+    return blocked;
+  }
+
+  static device::Ray beyond(device::Ray ray, const device::Hit& hit) {
+    for (int k = 0; k < 3; ++k) ray.origin[k] += hit.t * ray.direction[k];
+    ray.tMax -= hit.t;
+    ray.sourceTriangle = hit.triangle;
+    return ray;
   }
 
   void addRays(const LightMapTexel& place) {
@@ -75,13 +115,15 @@ class OpenRays {
   const CompiledScene& scene_;
   Tracer& tracer_;
   const LightMapLayout& layout_;
+  std::span<const std::uint8_t> ignored_;
   std::vector<device::Ray> rays_;
 };
 
 }  // namespace
 
-void leaveHollows(const CompiledScene& scene, Tracer& tracer, LightMapLayout& layout) {
-  OpenRays rays(scene, tracer, layout);
+void leaveHollows(const CompiledScene& scene, Tracer& tracer, LightMapLayout& layout,
+                  std::span<const std::uint8_t> ignored) {
+  OpenRays rays(scene, tracer, layout, ignored);
   const std::vector<std::uint8_t> open = rays.count(layout.texels);
   std::vector<LightMapTexel> candidates;
   std::vector<std::size_t> owners, firsts;  // texels in hollows, and their first candidates
