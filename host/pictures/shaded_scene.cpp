@@ -138,10 +138,11 @@ ShadedScene prepareScene(DrawingSession& session, const PictureRequest& asked, L
   const viewer::LightOfPicture light =
       lightOfPicture(asked, shaded.loaded, shaded.environment ? &*shaded.environment : nullptr,
                      asked.render.skyRotation + sky.rotation);
-  render.shading = asked.shading         ? *asked.shading
-                   : asked.objects.any() ? shadingAmong(asked.objects, shaded.bake)
-                   : asked.encoding != nullptr
-                       ? viewer::Shading::LightMap
+  render.shading = asked.shading               ? *asked.shading
+                   : asked.objects.any()       ? shadingAmong(asked.objects, shaded.bake)
+                   : asked.encoding != nullptr ? viewer::Shading::LightMap
+                   : !asked.render.groups.empty() && shaded.bake.lightGroups
+                       ? viewer::Shading::Lights
                        : chooseShading(session, asked, everyShading, shaded.loaded, shaded.bake, light);
   checkAreaLights(asked, render.shading, everyShading, shaded.bake);
   shaded.encoding = asked.encoding;

@@ -26,6 +26,7 @@ struct ShadingTraits {
   bool causticsOfItsOwn = false;     ///< the inputs of its light hold photons of caustics
   bool bakedLight = false;           ///< it shows the light of its bake, whatever shines now
   bool bounces = false;              ///< bounces of a bake add to its light
+  bool bouncesOfLamps = false;       ///< also to that of lamps within the scene
   bool bakedForWindows = false;      ///< windows bake it without being asked
   bool skyLampsApart = false;        ///< lamps are taken out of a sky and shine as lights
   bool shadowsOfItsOwn = false;      ///< its data know what shadows lamps anywhere

@@ -183,7 +183,7 @@ TEST_F(CliPicture, CompressedFile_IsDrawnByDefault) {
 TEST_F(CliPicture, LightGroup_Scaled_ScalesThePicture) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   prelightDone({"bake", "cornell.glb", "-o", "baked.glb", "--light-groups", "--rays", "4"});
-  prelightDone({"render", "baked.glb", "-o", "a.exr", "--size", "32x32"});
+  prelightDone({"render", "baked.glb", "-o", "a.exr", "--size", "32x32", "--shading", "lights"});
   const ProcessResult result =
       prelightDone({"render", "baked.glb", "-o", "b.exr", "--size", "32x32", "--group", "Lamp=2,2,2"});
   EXPECT_THAT(result.output, HasSubstr("lights shading"));

@@ -177,6 +177,10 @@ TEST(CarriedShading, ByLampsInARoomAlone_IsExpectedToErrFromTransfer_ButNotFromI
   bake.ao = {0.9f, 0.7f};  // an open place
   EXPECT_LT(viewer::carriedShading(bake, lamps).error, 0.1f);
   bake.ao = {0.3f, 0.1f};
+  bake.lightGroups.emplace();
+  EXPECT_EQ(viewer::carriedShading(bake, lamps).shading, Shading::Lights);
+  EXPECT_LT(viewer::carriedShading(bake, lamps).error, 0.1f);
+  bake.lightGroups.reset();
   bake.lightMap.emplace();
   EXPECT_LT(viewer::carriedShading(bake, lamps).error, 0.1f);
   EXPECT_GT(viewer::carriedShading(Bake{}, lamps).error, 0.1f);

@@ -56,9 +56,10 @@ float errorWithoutBounces(float openness) {
   return lost * lost;
 }
 
-/// Bounces of transfer are those of light from afar.
+/// Bounces of transfer are those of light from afar alone.
 bool showsBounces(const ShadingInfo& info, const Bake& bake, const LightOfPicture& light) {
-  return info.traits.bakedLight || (info.traits.bounces && bake.info.bounces > 0 && !shinesOnlyInside(light));
+  return info.traits.bakedLight || (info.traits.bounces && bake.info.bounces > 0 &&
+                                    (info.traits.bouncesOfLamps || !shinesOnlyInside(light)));
 }
 
 }  // namespace

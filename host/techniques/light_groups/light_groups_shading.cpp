@@ -26,7 +26,7 @@ extern const ShadingInfo lightsShading = {
     .bakeOption = "light-groups",
     .bakedName = "light groups",
     .rules = {Ambient::Transferred, Reflection::Metals, Through::AllLights},
-    .traits = {.bounces = true, .objectsInCubes = true},
+    .traits = {.bounces = true, .bouncesOfLamps = true, .objectsInCubes = true},
     .error = {.sky = 0.5f, .outside = 0.033f, .inside = 0.02f},
     .carriedBy = [](const Bake& bake) { return bake.lightGroups.has_value(); },
     .askedBy = [](const BakeRequest& request) { return request.lightGroups.wanted; },
