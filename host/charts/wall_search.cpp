@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "charts/first_obstacles.h"
 #include "charts/hidden_light.h"
 #include "charts/light_map_lookup.h"
 #include "charts/texel_grid.h"
@@ -16,9 +17,6 @@ namespace {
 
 /// Height of the upper ray, as a share of the distance between the two places.
 constexpr double upperHeight = 0.05;
-
-/// Number of ignored triangles that a ray may pass before it counts as blocked.
-constexpr int mostPassed = 16;
 
 constexpr std::size_t pairsAtOnce = std::size_t{1} << 17;
 
@@ -39,22 +37,12 @@ class SightFinder {
       waiting.push_back(i);
       rays.push_back(ray);
     }
-    for (int passed = 0; !waiting.empty(); ++passed) {
-      const std::vector<device::Hit> hits = tracer_.traceClosest(rays);
-      std::size_t kept = 0;
-      for (std::size_t k = 0; k < waiting.size(); ++k) {
-        const std::uint32_t i = waiting[k], triangle = hits[k].triangle;
-        if (triangle == PRELIGHT_NO_TRIANGLE) continue;
-        if (passed < mostPassed && hidesNothing(triangle, pairs[i])) {
-          rays[kept] = beyond(rays[k], hits[k]);
-          waiting[kept++] = i;
-        } else {
-          obstacles[i] = {false, pointOf(rays[k], hits[k]), triangle};
-        }
-      }
-      waiting.resize(kept);
-      rays.resize(kept);
-    }
+    const std::vector<device::Hit> hits = firstObstacles(
+        tracer_, rays,
+        [&](std::size_t k, std::uint32_t triangle) { return hidesNothing(triangle, pairs[waiting[k]]); });
+    for (std::size_t k = 0; k < waiting.size(); ++k)
+      if (hits[k].triangle != PRELIGHT_NO_TRIANGLE)
+        obstacles[waiting[k]] = {false, pointOf(rays[k], hits[k]), hits[k].triangle};
   }
 
  private:
@@ -93,15 +81,6 @@ class SightFinder {
     glm::dvec3 point;
     for (int k = 0; k < 3; ++k) point[k] = double(ray.origin[k]) + double(hit.t) * double(ray.direction[k]);
     return point;
-  }
-
-  static device::Ray beyond(device::Ray ray, const device::Hit& hit) {
-    for (int k = 0; k < 3; ++k) {
-      ray.origin[k] += hit.t * ray.direction[k];
-      ray.direction[k] *= 1.0f - hit.t;
-    }
-    ray.sourceTriangle = hit.triangle;
-    return ray;
   }
 
   const CompiledScene& scene_;

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "charts/first_obstacles.h"
 #include "charts/light_map_lookup.h"
 #include "charts/texel_cells.h"
 #include "receivers/sampling.h"
@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::uint32_t raysPerPlace = 16;
 constexpr std::uint8_t mostOpenOfHollows = 2;  // rays
-constexpr int mostMovingPassed = 16;           // ignored triangles that a ray passes
 constexpr std::size_t placesPerTrace = std::size_t{1} << 15;
 
 /// Returns the side of a face's texels, m: the root of the area of one.
@@ -50,49 +49,21 @@ class OpenRays {
   void countBlock(std::span<const LightMapTexel> places, std::vector<std::uint8_t>& open) {
     rays_.clear();
     for (const LightMapTexel& place : places) addRays(place);
-    const std::vector<std::uint8_t> blocked = ignored_.empty() ? blockedByAny() : blockedByOthers();
+    const std::vector<device::Hit> hits =
+        ignored_.empty() ? tracer_.traceAny(rays_)
+                         : firstObstacles(tracer_, rays_, [&](std::size_t, std::uint32_t triangle) {
+                             return ignored_[triangle] != 0;
+                           });
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto own = std::span(blocked).subspan(i * raysPerPlace, raysPerPlace);
-      open.push_back(static_cast<std::uint8_t>(std::ranges::count(own, 0)));
+      const auto own = std::span(hits).subspan(i * raysPerPlace, raysPerPlace);
+      open.push_back(static_cast<std::uint8_t>(
+          std::ranges::count_if(own, [&](const device::Hit& hit) { return !isBlocked(hit); })));
     }
   }
 
-  std::vector<std::uint8_t> blockedByAny() {
-    std::vector<std::uint8_t> blocked;
-    for (const device::Hit& hit : tracer_.traceAny(rays_))
-      blocked.push_back(hit.triangle != PRELIGHT_NO_TRIANGLE ? 1 : 0);
-    return blocked;
-  }
-
-  /// Returns whether rays meet triangles that are not ignored, [ray].
-  std::vector<std::uint8_t> blockedByOthers() {
-    std::vector<std::uint8_t> blocked(rays_.size(), 0);
-    std::vector<std::size_t> numbers(rays_.size());
-    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    for (int passed = 0; !numbers.empty() && passed <= mostMovingPassed; ++passed) {
-      const std::vector<device::Hit> hits = tracer_.traceClosest(rays_);
-      std::size_t kept = 0;
-      for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const std::uint32_t triangle = hits[k].triangle;
-        if (triangle == PRELIGHT_NO_TRIANGLE) continue;
-        if (ignored_[triangle] == 0) {
-          blocked[numbers[k]] = 1;
-          continue;
-        }
-        rays_[kept] = beyond(rays_[k], hits[k]);
-        numbers[kept++] = numbers[k];
-      }
-      rays_.resize(kept);
-      numbers.resize(kept);
-    }
-    return blocked;
-  }
-
-  static device::Ray beyond(device::Ray ray, const device::Hit& hit) {
-    for (int k = 0; k < 3; ++k) ray.origin[k] += hit.t * ray.direction[k];
-    ray.tMax -= hit.t;
-    ray.sourceTriangle = hit.triangle;
-    return ray;
+  /// Returns whether a ray meets something that counts, by its hit.
+  bool isBlocked(const device::Hit& hit) const {
+    return hit.triangle != PRELIGHT_NO_TRIANGLE && (ignored_.empty() || ignored_[hit.triangle] == 0);
   }
 
   void addRays(const LightMapTexel& place) {
