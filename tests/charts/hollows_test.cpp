@@ -67,7 +67,7 @@ TEST(LeaveHollows, PlaceWithinASmallBox_MovesBesideIt_AndAllOthersStay) {
   EXPECT_LT(beside, 0.5);  // within its square
 }
 
-/// What will move makes no hollows, so that places do not depend on where it stands.
+/// Triangles that will move make no hollows, so that places do not depend on where they stand.
 TEST(LeaveHollows, PlaceWithinABoxThatMoves_Stays) {
   const CoveredFloor floor(half);
   std::vector<std::uint8_t> moves(floor.scene.triangleCount(), 1);
