@@ -156,7 +156,7 @@ bool emittersByPhotons(const TransportScene& scene, const IndirectRequest& reque
 PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest& request) {
   return {.kind = request.directByPhotons ? PhotonKind::All : PhotonKind::Indirect,
           .emittersDirectly = emittersByPhotons(scene, request),
-          .photons = request.photons,
+          .photons = request.photons.value_or(usualPhotons(0)),
           .seed = request.seed};
 }
 

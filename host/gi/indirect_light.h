@@ -28,7 +28,8 @@ std::uint64_t usualPhotons(std::size_t texels);
 
 /// Options of IndirectLight.
 struct IndirectRequest {
-  std::uint64_t photons = usualPhotons(0);  ///< that leave lights, for the approximation that rays look up
+  /// Photons that leave lights, for the approximation that rays look up; none: the fewest usual ones.
+  std::optional<std::uint64_t> photons = {};
   int nearestPhotons = 15;   ///< per estimate; at least leastNearestOfAll where some of it is direct light
   std::uint32_t rays = 128;  ///< per place, a power of two, at least 8
   std::uint64_t seed = 0;

@@ -126,7 +126,7 @@ std::uint32_t GlobalIlluminationPictureRequest::mapTexels(std::uint32_t triangle
 }
 
 std::uint64_t GlobalIlluminationPictureRequest::photonsOfIndirectLight(std::uint32_t triangles) const {
-  return photons.value_or(usualPhotons(mapTexels(triangles)));
+  return indirect.photons.value_or(usualPhotons(mapTexels(triangles)));
 }
 
 std::uint32_t GlobalIlluminationPictureRequest::raysOfTexels(bool sky) const {

@@ -26,9 +26,7 @@ struct GlobalIlluminationPictureRequest {
   std::uint32_t samples = 8;  ///< per pixel, 1 to 64
   /// Approximate number of texels of the light map for indirect light; none: by the number of pixels.
   std::optional<std::uint32_t> texels;
-  /// Leave lights, for indirect light; none: by the texels.
-  std::optional<std::uint64_t> photons;
-  IndirectRequest indirect{.longWay = 4};
+  IndirectRequest indirect{.longWay = 4};  ///< no number of photons: by the texels
   std::optional<std::uint32_t> gatherRays;  ///< per texel; none: by `indirect` or `samples`
   PhotonChoice photonsBy = PhotonChoice::Power;
   /// Emitted towards objects that make caustics; none: by the number of pixels.

@@ -46,12 +46,12 @@ constexpr Option<Full> gatherRays() {
 }
 
 constexpr auto fullRows = std::to_array<Option<Full>>({
-    FullRow::number<&Full::photons>(whole(1, mostPhotons),
-                                    {.field = "GlobalIlluminationPictureRequest::photons",
-                                     .name = "photons",
-                                     .help = "number of photons for indirect light (default: 4 per texel of "
-                                             "its map, 50,000 to 2 million; 50,000 in windows)",
-                                     .shadings = full}),
+    FullRow::number<&Full::indirect, &IndirectRequest::photons>(
+        whole(1, mostPhotons), {.field = "IndirectRequest::photons",
+                                .name = "photons",
+                                .help = "number of photons for indirect light (default: 4 per texel of "
+                                        "its map, 50,000 to 2 million; 50,000 in windows)",
+                                .shadings = full}),
     FullRow::choice<&Full::photonsBy>(photonChoices,
                                       {.field = "GlobalIlluminationPictureRequest::photonsBy",
                                        .name = "photons-by",

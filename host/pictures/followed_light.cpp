@@ -83,7 +83,7 @@ std::unique_ptr<FollowingLight> followingLight(DrawingSession& session, const Pi
   CompiledScene compiled = followUnderLights(session, asked, shaded, *following);
   const GlobalIlluminationPictureRequest sized = sizedRequest(asked, shaded);
   LiveLightOptions live = optionsOfWindows();
-  live.photons = asked.full.photons.value_or(followedPhotons);
+  live.photons = asked.full.indirect.photons.value_or(followedPhotons);
   live.texels = sized.mapTexels(shaded.loaded.compiled.triangleCount());
   live.gather.rays = asked.full.indirect.rays;
   if (!asked.countedFrames) live.clock = steadySeconds;

@@ -43,7 +43,7 @@ FullRequest fullRequest(const FullOptions& options) {
   request.texels = options.texels;
   request.photonsBy = options.photonsBy;
   request.causticPhotons = options.causticPhotons;
-  request.photons = options.photons;
+  request.indirect.photons = options.photons;
   request.indirect.gather = options.gather;
   request.gatherRays = options.gatherRays;
   if (options.gatherRays) request.indirect.rays = *options.gatherRays;
@@ -52,7 +52,7 @@ FullRequest fullRequest(const FullOptions& options) {
 
 FullOptions fullOptions(const FullRequest& request) {
   return {.samples = request.samples,
-          .photons = request.photons,
+          .photons = request.indirect.photons,
           .photonsBy = request.photonsBy,
           .causticPhotons = request.causticPhotons,
           .texels = request.texels,

@@ -52,7 +52,7 @@ struct BuiltinPicture {
     request.width = request.height = 24;
     request.samples = 4;
     request.causticPhotons = 20000;
-    request.photons = 5000;
+    request.indirect.photons = 5000;
     request.parts = parts;
     const LitScene lit{compiled, source.images, source.lights};
     Progress progress;

@@ -92,7 +92,7 @@ GlobalIlluminationPictureRequest shareOf(const GlobalIlluminationPictureRequest&
   part.texels = static_cast<std::uint32_t>(scaled(whole.mapTexels(triangles) * share));
   part.causticPhotons =
       static_cast<std::uint64_t>(scaled(static_cast<double>(whole.photonsOfCaustics()) * share));
-  part.photons = static_cast<std::uint64_t>(
+  part.indirect.photons = static_cast<std::uint64_t>(
       scaled(static_cast<double>(whole.photonsOfIndirectLight(triangles)) * share));
   return part;
 }

@@ -71,8 +71,8 @@ LightMapLight::LightMapLight(const Scene& source, const CompiledScene& scene, co
       patches_(scene, tracer, layout, surface_) {
   if (plan.runs(Pass::IndirectLightOfTheMap)) {
     IndirectRequest indirect;
-    indirect.photons = photonsOf(request, layout);
-    if (request.lightMap.denoise && request.lightMap.photons == 0) indirect.photons *= photonsForFilters;
+    const bool filtered = request.lightMap.denoise && request.lightMap.photons == 0;
+    indirect.photons = photonsOf(request, layout) * (filtered ? photonsForFilters : 1);
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
     const SentPhotons sent = sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress);
