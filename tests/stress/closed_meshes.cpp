@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/load/loader.h"
@@ -69,13 +70,31 @@ bool isWellInside(const CompiledScene& mesh, const glm::dvec3& point) {
 
 }  // namespace
 
+namespace {
+
+/// A place behind a triangle, mostly near to it: of thin bodies few others are inside.
+glm::vec3 behindATriangle(const CompiledScene& scene, Counter& random) {
+  const auto& t = scene.triangles[random.below(scene.triangles.size())];
+  const glm::vec3 a = scene.positions[t[0]], b = scene.positions[t[1]], c = scene.positions[t[2]];
+  const float root = std::sqrt(random.uniform()), side = random.uniform();
+  const glm::dvec3 normal = glm::cross(glm::dvec3(b - a), glm::dvec3(c - a));
+  const double length = glm::length(normal), depth = std::pow(double(random.uniform()), 4.0);
+  if (length == 0.0) return a;
+  const double size = glm::length(glm::dvec3(scene.boundsMax - scene.boundsMin));
+  const glm::vec3 on = a + root * ((1 - side) * (b - a) + side * (c - a));
+  return on - glm::vec3(depth * size / length * normal);
+}
+
+}  // namespace
+
 ClosedMesh closedMesh(const std::string& name, const CompiledScene& scene, std::size_t points) {
   ClosedMesh mesh{name, scene, {}};
   EXPECT_TRUE(isClosed(scene)) << name;
   Counter random(1);
   for (int attempt = 0; attempt < 20000 && mesh.inside.size() < points; ++attempt) {
     const glm::vec3 share(random.uniform(), random.uniform(), random.uniform());
-    const glm::vec3 p = glm::mix(scene.boundsMin, scene.boundsMax, share);
+    const glm::vec3 p =
+        attempt % 2 == 0 ? glm::mix(scene.boundsMin, scene.boundsMax, share) : behindATriangle(scene, random);
     if (isWellInside(scene, glm::dvec3(p))) mesh.inside.push_back(p);
   }
   EXPECT_GE(mesh.inside.size(), points / 4) << name;
@@ -154,12 +173,11 @@ Scene builtinScene(const std::string& name, const glm::dmat4& transform) {
 std::vector<ClosedMesh> closedObjectsOfBuiltinScenes(const glm::dmat4& transform) {
   std::vector<ClosedMesh> meshes;
   for (const auto& builtin : builtinScenes()) {
-    const Scene scene = builtinScene(builtin.name, transform);
-    for (const auto& node : scene.meshNodes) {
-      Scene alone = scene;
-      alone.meshNodes = {node};
+    Scene scene = builtinScene(builtin.name, transform);
+    for (const auto& node : std::exchange(scene.meshNodes, {})) {
+      scene.meshNodes = {node};
       Warnings warnings;
-      const CompiledScene compiled = compileScene(alone, warnings);
+      const CompiledScene compiled = compileScene(scene, warnings);
       if (isClosed(compiled)) meshes.push_back(closedMesh(builtin.name + "/" + node.name, compiled));
     }
   }
