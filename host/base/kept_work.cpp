@@ -51,8 +51,9 @@ double secondsFrom(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-WorkKeeper::WorkKeeper(StateLog log, double mostUnkept)
+WorkKeeper::WorkKeeper(StateLog log, double mostUnkept, bool readOnly)
     : log_(std::move(log)),
+      readOnly_(readOnly),
       mostUnkept_(mostUnkept),
       secondsBefore_(log_.seconds()),
       hasState_(!log_.names().empty()) {
@@ -98,6 +99,7 @@ void WorkKeeper::write(WorkPart& part) {
 
 /// Commits what writeAll writes. Returns false if that failed.
 bool WorkKeeper::commit(const std::function<void()>& writeAll) {
+  if (readOnly_) return false;
   try {
     writeAll();
     log_.commit(seconds());
@@ -134,10 +136,12 @@ bool WorkKeeper::saveChanged() {
 }
 
 /// The parts around it are kept along with it: what it did may depend on the state of their step, such as
-/// the length of a block that a clock has decided.
+/// the length of a block that a clock has decided. Where work is divided, each process would have to repeat
+/// what is not kept.
 void WorkKeeper::finish(WorkPart& part, bool always) {
   const double own = secondsFrom(part.born_);
-  const bool worthwhile = always || part.kept_ || log_.hasAny(inStep(part.name_, part.step_)) ||
+  const bool worthwhile = always || share_ != nullptr || part.kept_ ||
+                          log_.hasAny(inStep(part.name_, part.step_)) ||
                           unkept_ - part.unkeptInside_ + own > mostUnkept_;
   unkept_ -= part.unkeptInside_;
   part.changed_ = true;

@@ -16,6 +16,7 @@
 namespace prelight {
 
 class WorkPart;
+class WorkShare;
 
 /// Saves the progress of long work, so that another process can continue it. The work describes its progress
 /// by parts (WorkPart), which are nested like the calls of the functions that have them. A process that
@@ -27,9 +28,14 @@ class WorkPart;
 class WorkKeeper {
  public:
   /// `mostUnkept`: greatest total time, s, of finished parts whose results are not saved and may be lost.
-  WorkKeeper(StateLog log, double mostUnkept);
+  /// `readOnly`: what the log has is restored, and nothing is saved.
+  WorkKeeper(StateLog log, double mostUnkept, bool readOnly = false);
   WorkKeeper(const WorkKeeper&) = delete;
   WorkKeeper& operator=(const WorkKeeper&) = delete;
+
+  /// Has the work's loops divided among processes by `share`, which must outlive it. nullptr: they are not.
+  void divide(WorkShare* share) { share_ = share; }
+  WorkShare* share() const { return share_; }
 
   /// Saves all parts as they are. Only the thread that owns them may call it, while no part is being changed.
   /// `always`: also if no part has changed, so that there is a state.
@@ -62,6 +68,8 @@ class WorkKeeper {
   double seconds() const;
 
   StateLog log_;
+  bool readOnly_;
+  WorkShare* share_ = nullptr;
   double mostUnkept_;
   double secondsBefore_;
   Clock::time_point start_ = Clock::now();
@@ -103,6 +111,10 @@ class WorkPart {
   /// Ends the part, whose state is its result. The result is saved if it took long, or with `always`: if
   /// repeating the work would not give the same result.
   void finish(bool always = false);
+
+  /// Returns what keeps the part, or nullptr, and its name there: that of all parts around it and its own.
+  WorkKeeper* keeper() const { return keeper_; }
+  const std::string& name() const { return name_; }
 
  private:
   friend class WorkKeeper;

@@ -48,10 +48,14 @@ ResumableRun::ResumableRun(std::filesystem::path path, std::string kind, double 
                            std::function<void()> saved)
     : path_(std::move(path)), kind_(std::move(kind)), interval_(interval), saved_(std::move(saved)) {}
 
-Progress& ResumableRun::begin(const StateKey& key, Progress& outer, bool goOn) {
-  std::optional<StateLog> log = goOn ? StateLog::open(path_, kind_, key) : std::nullopt;
+Progress& ResumableRun::begin(const StateKey& key, Progress& outer, StateUse use, WorkShare* share) {
+  const auto access = use == StateUse::Read ? StateLog::Access::Read : StateLog::Access::Continue;
+  std::optional<StateLog> log =
+      use == StateUse::Replace ? std::nullopt : StateLog::open(path_, kind_, key, access);
   goesOn_ = log.has_value();
-  keeper_.emplace(log ? std::move(*log) : StateLog(path_, kind_, key), interval_ * unkeptShare);
+  keeper_.emplace(log ? std::move(*log) : StateLog(path_, kind_, key), interval_ * unkeptShare,
+                  use == StateUse::Read);
+  keeper_->divide(share);
   return progress_.emplace(outer, *keeper_, interval_, saved_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -45,6 +46,13 @@ class KeepingProgress final : public Progress {
   mutable bool keptForStop_ = false;
 };
 
+/// What a run does with a state that is there.
+enum class StateUse : std::uint8_t {
+  Replace,   ///< starts from the beginning and saves its own
+  Continue,  ///< goes on from it and saves what comes of it
+  Read,      ///< goes on from it and saves nothing
+};
+
 /// A run of work that saves its state in a file, and can continue from an earlier run's.
 class ResumableRun {
  public:
@@ -52,9 +60,9 @@ class ResumableRun {
   ResumableRun(std::filesystem::path path, std::string kind, double interval = usualStateInterval,
                std::function<void()> saved = {});
 
-  /// Returns the progress for the work, which reports to `outer`. With `goOn`, an existing state is
-  /// continued. Throws as StateLog::open().
-  Progress& begin(const StateKey& key, Progress& outer, bool goOn);
+  /// Returns the progress for the work, which reports to `outer`. `share`, if given, divides the work among
+  /// processes and must outlive it. Throws as StateLog::open().
+  Progress& begin(const StateKey& key, Progress& outer, StateUse use, WorkShare* share = nullptr);
 
   /// Returns true if begin() found a state.
   bool goesOn() const { return goesOn_; }

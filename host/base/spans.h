@@ -16,10 +16,14 @@ std::span<const T> spanOf(const std::vector<T>& values) {
 
 /// Returns the floats of structures that contain nothing else.
 template <typename T>
-std::span<const float> numbersOf(const std::vector<T>& structures) {
+std::span<const float> numbersOf(std::span<const T> structures) {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) == alignof(float) &&
                 sizeof(T) % sizeof(float) == 0);
   return {reinterpret_cast<const float*>(structures.data()), structures.size() * (sizeof(T) / sizeof(float))};
+}
+template <typename T>
+std::span<const float> numbersOf(const std::vector<T>& structures) {
+  return numbersOf(spanOf(structures));
 }
 
 /// Prefetches `count` elements that will soon be read or written. A hint, which costs only time if it is

@@ -95,4 +95,12 @@ void StateReader::damaged() const {
   throw InputError(path_.string(), "the state of the interrupted run is damaged", "delete it to start anew");
 }
 
+std::string differencesOf(const StateKey& found, const StateKey& expected) {
+  std::string names;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (i >= found.size() || found[i] != expected[i])
+      names += (names.empty() ? "" : ", ") + expected[i].first;
+  return found.size() > expected.size() && names.empty() ? "version" : names;
+}
+
 }  // namespace prelight

@@ -58,6 +58,9 @@ class StateHash {
 /// Identifies what a state belongs to, part by part: name (as error messages call it) and hash.
 using StateKey = std::vector<std::pair<std::string, std::uint64_t>>;
 
+/// Returns the names of the parts in which a key differs from the expected one, as "scene, seed".
+std::string differencesOf(const StateKey& found, const StateKey& expected);
+
 /// Returns elements [first, first + count) of an array, as bytes that are valid until the next call.
 using ReadElements = std::function<std::span<const std::byte>(std::uint64_t first, std::uint64_t count)>;
 
@@ -108,6 +111,8 @@ class StateWriter {
     value(std::uint64_t{values.size()});
     bytes(std::as_bytes(std::span(values)));
   }
+
+  void text(const std::string& text) { values(std::vector<char>(text.begin(), text.end())); }
 
   template <typename T>
   void sameSize(const std::vector<T>& out) {
@@ -182,6 +187,12 @@ class StateReader {
     const std::byte* source = take(size, sizeof(T));
     values.resize(size);
     if (size > 0) std::memcpy(values.data(), source, size * sizeof(T));
+  }
+
+  void text(std::string& text) {
+    std::vector<char> characters;
+    values(characters);
+    text.assign(characters.begin(), characters.end());
   }
 
   /// Reads as values() does, and requires as many elements as the given vector has.

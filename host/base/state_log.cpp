@@ -32,55 +32,30 @@ constexpr mode_t ownerOnly = 0600;
 constexpr std::uint64_t toleratedWaste = std::uint64_t{64} << 20;  // bytes of a file that are no longer used
 constexpr std::size_t longestName = 4096;
 
-void writeText(StateWriter& writer, const std::string& text) {
-  writer.values(std::vector<char>(text.begin(), text.end()));
-}
-
-std::string readText(StateReader& reader) {
-  std::vector<char> text;
-  reader.values(text);
-  return {text.begin(), text.end()};
-}
-
 /// Returns the title of the file: the state's kind and key.
 std::vector<std::byte> titleBytes(const std::string& kind, const StateKey& key) {
   StateWriter writer;
-  writeText(writer, kind);
+  writer.text(kind);
   writer.value(static_cast<std::uint32_t>(key.size()));
   for (const auto& [name, hash] : key) {
-    writeText(writer, name);
+    writer.text(name);
     writer.value(hash);
   }
   return {writer.payload().begin(), writer.payload().end()};
 }
 
-/// Returns the names of the differing parts, as "scene, seed".
-std::string differences(const StateKey& found, const StateKey& expected) {
-  std::string names;
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (i >= found.size() || found[i] != expected[i])
-      names += (names.empty() ? "" : ", ") + expected[i].first;
-  return found.size() > expected.size() && names.empty() ? "version" : names;
-}
-
-void requireTitle(const fs::path& path, StateReader& reader, const std::string& kind, const StateKey& key) {
-  const std::string foundKind = readText(reader);
-  if (foundKind != kind)
-    throw InputError(path.string(),
-                     fmt::format("got the state of a {}, expected that of a {}", foundKind, kind), startAnew);
+/// Reads what titleBytes() wrote.
+void readTitleBytes(StateReader& reader, std::string& kind, StateKey& key) {
+  reader.text(kind);
   std::uint32_t parts = 0;
   reader.value(parts);
-  StateKey found;
   for (std::uint32_t i = 0; i < parts; ++i) {
-    std::string name = readText(reader);
+    std::string name;
+    reader.text(name);
     std::uint64_t hash = 0;
     reader.value(hash);
-    found.emplace_back(std::move(name), hash);
+    key.emplace_back(std::move(name), hash);
   }
-  if (found != key)
-    throw UsageError(path.string(),
-                     fmt::format("it was left by a run with another {}", differences(found, key)),
-                     "use the options of the interrupted run, or delete it to start anew");
 }
 
 template <typename T>
@@ -225,13 +200,28 @@ fs::path stateFileOf(const fs::path& output) {
   return path;
 }
 
-std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& kind, const StateKey& key) {
+std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& kind, const StateKey& key,
+                                       Access access) {
+  std::optional<StateLog> log = openAny(path, access);
+  if (!log) return log;
+  if (log->kind_ != kind)
+    throw InputError(path.string(),
+                     fmt::format("got the state of a {}, expected that of a {}", log->kind_, kind),
+                     startAnew);
+  if (log->key_ != key)
+    throw UsageError(path.string(),
+                     fmt::format("it was left by a run with another {}", differencesOf(log->key_, key)),
+                     "use the options of the interrupted run, or delete it to start anew");
+  return log;
+}
+
+std::optional<StateLog> StateLog::openAny(const fs::path& path, Access access) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   refuseSpecialFile(path);
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  const int descriptor = ::open(path.c_str(), (access == Access::Read ? O_RDONLY : O_RDWR) | O_CLOEXEC);
   if (descriptor < 0) throw InputError(path.string(), cannotRead, startAnew);
-  StateLog log(path, kind, key);
+  StateLog log(path, {}, {});
   log.file_ = std::make_unique<File>(path, descriptor);
   const std::uint64_t size = log.file_->size();
   Preamble preamble;
@@ -250,14 +240,14 @@ std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& 
   if (hashOf(title) != preamble.titleHash) log.damaged();
   log.file_->read(sizeof preamble + title.size(), std::as_writable_bytes(std::span(slots)));
   StateReader reader(path, std::move(title));
-  requireTitle(path, reader, kind, key);
+  readTitleBytes(reader, log.kind_, log.key_);
   // A power failure may have destroyed the end of the last commit's data: the one before it counts then.
   if (slots[0].sequence < slots[1].sequence) std::swap(slots[0], slots[1]);
   const auto usable = std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) {
     return slot.sequence > 0 && slot.check == slot.rightCheck() && slot.end <= size;
   });
   if (usable == slots.end()) log.damaged();
-  if (!log.file_->lock())
+  if (access == Access::Continue && !log.file_->lock())
     throw UsageError(path.string(), "another run is continuing it", "wait for that run, or end it");
   log.scan(*usable);
   return log;

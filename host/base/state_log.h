@@ -35,12 +35,22 @@ class StateLog {
   StateLog& operator=(StateLog&&) = delete;
   ~StateLog();
 
-  /// Opens an existing state for reading and continuing; returns nothing when there is no such file. Throws
-  /// InputError for a file that is damaged, is no state, or has another kind or version. Throws UsageError
-  /// for one that belongs to another key, naming the parts that differ, and for one that another process
-  /// writes.
+  enum class Access : std::uint8_t {
+    Continue,  ///< by one process at a time
+    Read,      ///< by any number of processes; nothing may be written
+  };
+
+  /// Opens an existing state; returns nothing when there is no such file. Throws InputError for a file that
+  /// is damaged, is no state, or has another kind or version. Throws UsageError for one that belongs to
+  /// another key, naming the parts that differ, and for one to be continued that another process writes.
   static std::optional<StateLog> open(const std::filesystem::path& path, const std::string& kind,
-                                      const StateKey& key);
+                                      const StateKey& key, Access access = Access::Continue);
+
+  /// Opens a state of any kind and key. Throws otherwise as open() does.
+  static std::optional<StateLog> openAny(const std::filesystem::path& path, Access access);
+
+  const std::string& kind() const { return kind_; }
+  const StateKey& key() const { return key_; }
 
   bool has(const std::string& name) const { return contents_.records.contains(name); }
   std::vector<std::string> names() const;

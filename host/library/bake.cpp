@@ -54,7 +54,7 @@ BakeResult bakeKeeping(const LoadedScene& scene, const BakeRequest& request, con
   Progress* progress = &call.progress();
   const auto keyed = [&](StateKey whole) -> Progress& {
     whole.insert(whole.end(), key.begin(), key.end());
-    if (state) progress = &state->begin(whole, call.progress(), true);
+    if (state) progress = &state->begin(whole, call.progress(), StateUse::Continue);
     return *progress;
   };
   const auto device = [&]() -> const Device& { return call.device(); };

@@ -68,7 +68,7 @@ TEST(KeptWork, StoppedAnywhere_GoesOnWhereItWas) {
     {
       ResumableRun run(folder / "a.state", "sums");
       test::StopAfterLooks stops(looks);
-      Progress& progress = run.begin({}, stops, true);
+      Progress& progress = run.begin({}, stops, StateUse::Continue);
       try {
         EXPECT_EQ(sums.run(progress), wholeSums);
       } catch (const Interrupted&) {
@@ -77,7 +77,7 @@ TEST(KeptWork, StoppedAnywhere_GoesOnWhereItWas) {
     Sums rest;
     ResumableRun run(folder / "a.state", "sums");
     Progress outer;
-    EXPECT_EQ(rest.run(run.begin({}, outer, true)), wholeSums);
+    EXPECT_EQ(rest.run(run.begin({}, outer, StateUse::Continue)), wholeSums);
     // Finished rows of the current step were too short to be kept.
     EXPECT_LE(sums.added + rest.added, 40 + 4) << looks;
     EXPECT_GE(sums.added + rest.added, 40) << looks;
@@ -93,7 +93,7 @@ TEST(KeptWork, AnyStateThatWasKept_IsGoneOnWith) {
   });
   Progress outer;
   Sums whole;
-  whole.run(run.begin({}, outer, false));
+  whole.run(run.begin({}, outer, StateUse::Replace));
   ASSERT_EQ(states.size(), 39u);
   run.remove();
   EXPECT_FALSE(std::filesystem::exists(folder / "a.state"));
@@ -102,7 +102,7 @@ TEST(KeptWork, AnyStateThatWasKept_IsGoneOnWith) {
     test::writeBytes(folder / "a.state", state);
     ResumableRun again(folder / "a.state", "sums", 0.0);
     Sums rest;
-    EXPECT_EQ(rest.run(again.begin({}, outer, true)), wholeSums);
+    EXPECT_EQ(rest.run(again.begin({}, outer, StateUse::Continue)), wholeSums);
     EXPECT_EQ(rest.added, --before);
   }
 }
@@ -137,14 +137,14 @@ TEST(KeptWork, StateAfterAPartHasEnded_FitsWorkThatIsNowFasterOrSlower) {
   std::vector<std::string> states;
   Progress outer;
   ResumableRun run(folder / "a.state", "blocks", 1e9);
-  workInBlocks(run.begin({}, outer, false), 3,
+  workInBlocks(run.begin({}, outer, StateUse::Replace), 3,
                [&] { states.push_back(test::readBytes(folder / "a.state")); });
   ASSERT_EQ(states.size(), 5u);
   run.remove();
   for (const std::string& state : states) {
     test::writeBytes(folder / "a.state", state);
     ResumableRun again(folder / "a.state", "blocks", 1e9);
-    EXPECT_NO_THROW(workInBlocks(again.begin({}, outer, true), 2, [] {}));
+    EXPECT_NO_THROW(workInBlocks(again.begin({}, outer, StateUse::Continue), 2, [] {}));
   }
 }
 
@@ -154,7 +154,7 @@ TEST(KeptWork, OfAnotherName_IsNotTakenUp) {
     ResumableRun kept(folder / "a.state", "x", 0.0);
     Progress outer;
     int value = 0;
-    WorkPart part(kept.begin({}, outer, true), name, [&](auto& state) { state.value(value); });
+    WorkPart part(kept.begin({}, outer, StateUse::Continue), name, [&](auto& state) { state.value(value); });
     const bool finished = part.finished();
     value = 7;
     part.finish(true);
@@ -169,7 +169,7 @@ TEST(KeptWork, InAnotherThread_IsDoneAndNotKept) {
   const test::TemporaryFolder folder;
   ResumableRun run(folder / "a.state", "sums", 0.0);
   Progress outer;
-  const Progress& progress = run.begin({}, outer, true);
+  const Progress& progress = run.begin({}, outer, StateUse::Continue);
   std::vector<int> sums;
   std::thread([&] { sums = Sums().run(progress); }).join();
   EXPECT_EQ(sums, wholeSums);
@@ -195,12 +195,12 @@ TEST(KeptWork, StateThatDoesNotFit_LeavesTheLastOne) {
   {
     const test::FileLimit limit(2048);
     ResumableRun run(folder / "a.state", "x", 0.0);
-    count(run.begin({}, outer, true), 2000);
+    count(run.begin({}, outer, StateUse::Continue), 2000);
     EXPECT_FALSE(run.failure().empty());
     EXPECT_TRUE(run.hasState());
   }
   ResumableRun run(folder / "a.state", "x", 0.0);
-  const std::size_t before = count(run.begin({}, outer, true), 2000);
+  const std::size_t before = count(run.begin({}, outer, StateUse::Continue), 2000);
   EXPECT_GT(before, 5u);
   EXPECT_LT(before, 500u);
   EXPECT_EQ(numbers.back(), 1999);
@@ -218,7 +218,7 @@ TEST(KeptWork, ArrayThatGrowsWhileItIsSaved_LeavesTheLastState) {
   };
   {
     ResumableRun run(folder / "a.state", "work", 0.0);
-    Progress& progress = run.begin(key, outer, false);
+    Progress& progress = run.begin(key, outer, StateUse::Replace);
     WorkPart part(progress, "array", state);
     part.advance();
     run.save();
@@ -231,7 +231,7 @@ TEST(KeptWork, ArrayThatGrowsWhileItIsSaved_LeavesTheLastState) {
   grows = false;
   array.clear();
   ResumableRun again(folder / "a.state", "work", 0.0);
-  const WorkPart part(again.begin(key, outer, true), "array", state);
+  const WorkPart part(again.begin(key, outer, StateUse::Continue), "array", state);
   EXPECT_EQ(array, (std::vector<int>{1, 2, 3}));
 }
 

@@ -26,7 +26,7 @@ auto inManyRuns(const Work& work, int firstLooks = 2) {
   for (int looks = firstLooks;; looks += 1 + looks / 8) {
     ResumableRun run(folder / "a.state", "test", 0.0, [&] { EXPECT_EQ(run.failure(), ""); });
     StopAfterLooks stops(looks);
-    Progress& progress = run.begin({}, stops, true);
+    Progress& progress = run.begin({}, stops, StateUse::Continue);
     try {
       return work(progress);
     } catch (const Interrupted&) {
