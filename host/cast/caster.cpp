@@ -239,4 +239,37 @@ void Caster::load(StateReader& state) {
   for (Column* column : columns_) column->load(state);
 }
 
+void Caster::saveBlock(StateWriter& state, const CastRows& rows, const CastTask& task,
+                       std::uint32_t receivers) const {
+  state.values(rows.inside);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const ColumnRows& own = rows.columns[i];
+    if (!own.cast) continue;
+    state.values(own.rows);
+    state.value(static_cast<std::uint32_t>(own.records.size()));
+    for (const std::vector<std::byte>& records : own.records) state.values(records);
+    columns_[i]->saveBlock(state, task, receivers);
+  }
+}
+
+void Caster::loadBlock(StateReader& state, CastRows& rows, const CastTask& task, std::uint32_t receivers) {
+  constexpr std::uint32_t mostRecords = 16;
+  state.values(rows.inside);
+  state.require(rows.inside.size() == (marksInside(task) ? receivers : 0));
+  for (const std::uint8_t mark : rows.inside) state.require(mark <= 1);
+  rows.columns.assign(columns_.size(), {});
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    ColumnRows& own = rows.columns[i];
+    own.cast = takes(*columns_[i], task);
+    if (!own.cast) continue;
+    std::uint32_t records = 0;
+    state.values(own.rows);
+    state.value(records);
+    state.require(records <= mostRecords);
+    own.records.resize(records);
+    for (std::vector<std::byte>& array : own.records) state.values(array);
+    columns_[i]->loadBlock(state, task, receivers, own);
+  }
+}
+
 }  // namespace prelight

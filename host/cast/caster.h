@@ -87,6 +87,11 @@ class Caster {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
+  /// Write and read the block that was finished last, which another process has cast.
+  void saveBlock(StateWriter& state, const CastRows& rows, const CastTask& task,
+                 std::uint32_t receivers) const;
+  void loadBlock(StateReader& state, CastRows& rows, const CastTask& task, std::uint32_t receivers);
+
  private:
   /// A place: what the device has of a block under way.
   struct Block {

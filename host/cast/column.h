@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/state_file.h"
@@ -207,10 +208,28 @@ class Column {
   virtual void save(StateWriter& /*state*/) const {}
   virtual void load(StateReader& /*state*/) {}
 
+  /// Writes what a block that was finished last has left here besides its rows, for another process; reads
+  /// it there, and requires of the block's rows what finish() gives them: their size, and values that may be
+  /// added up.
+  virtual void saveBlock(StateWriter& /*state*/, const CastTask& /*task*/, std::uint32_t /*receivers*/) {}
+  virtual void loadBlock(StateReader& state, const CastTask& /*task*/, std::uint32_t /*receivers*/,
+                         const ColumnRows& rows) {
+    state.require(rows.rows.empty() && rows.records.empty());
+  }
+
  private:
   virtual void allocate(const CastShape& /*shape*/) {}
 
   std::size_t index_ = 0;
+};
+
+/// A number that only grows, told by what it has grown.
+class GrownCount {
+ public:
+  std::uint64_t growth(std::uint64_t now) { return now - std::exchange(told_, now); }
+
+ private:
+  std::uint64_t told_ = 0;
 };
 
 inline const ColumnRows& CastRows::of(const Column& column) const { return columns[column.index()]; }

@@ -20,6 +20,12 @@ void FittedColumn::finish(const CastBlock& block, ColumnRows& rows) {
   if (rowWidth_ > 0) values_.read(block, rows);
 }
 
+void FittedColumn::loadBlock(StateReader& state, const CastTask& /*task*/, std::uint32_t receivers,
+                             const ColumnRows& rows) {
+  state.require(rows.records.empty() && rows.rows.size() == receivers * rowWidth_ * sizeof(float));
+  state.requireFinite(rows.of<float>());
+}
+
 std::unique_ptr<ColumnSums> FittedColumn::makeSums(const SideShape& side) {
   return std::make_unique<FittedSums>(*this, emptyFit(side, fitWidth_));
 }

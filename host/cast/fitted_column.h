@@ -27,6 +27,8 @@ class FittedColumn : public Column {
   const VertexFit& fitOn(const SideSums& side) const;
 
   void finish(const CastBlock& block, ColumnRows& rows) override;
+  void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                 const ColumnRows& rows) override;
   std::unique_ptr<ColumnSums> makeSums(const SideShape& side) override;
 
   /// Adds a block to the fit: its rows as they are. A column whose fit is relative to a closed form overrides

@@ -1,5 +1,7 @@
 #include "cast/side_cast.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -82,8 +84,28 @@ bool SideCast::endRound(const Progress& progress) {
   return false;
 }
 
+// What receivers have seen decides where those of later passes are placed: on fronts after passes 1, 2, 4 and
+// so on of a round, on backs, which are few, after a round. Processes that divide a cast meet as often.
+std::uint32_t SideCast::firstOfStage() const {
+  return sampler_.side() == Side::Front ? std::bit_floor(passInRound_) : 0;
+}
+
+std::uint32_t SideCast::endOfStage() const {
+  const bool front = sampler_.side() == Side::Front;
+  return front ? std::min(std::max(2 * firstOfStage(), 1u), schedule_.passes) : schedule_.passes;
+}
+
+std::string SideCast::stage() const {
+  const std::uint32_t before = pass_ - passInRound_, first = before + firstOfStage() + 1,
+                      last = before + endOfStage();
+  const std::string passes =
+      last > first ? fmt::format("passes {} to {}", first, last) : fmt::format("pass {}", first);
+  return fmt::format("cast from {}, {}", sampler_.side() == Side::Front ? "fronts" : "backs", passes);
+}
+
 // A pass that was interrupted is walked again, without what has been cast of it.
 void SideCast::castPass(Progress& progress, WorkPart& part) {
+  if (!loop_) loop_.emplace(part, stage());
   if (!inPass_) {
     passStart_ = sampler_.position();
     doneInPass_ = 0;
@@ -110,11 +132,19 @@ void SideCast::castPass(Progress& progress, WorkPart& part) {
   finishBlocks();
   inPass_ = false;
   passStart_ = {};
+  endPass();
+  if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
+}
+
+void SideCast::endPass() {
+  const bool ends = passInRound_ + 1 == endOfStage();
   ++pass_;
   ++passInRound_;
+  if (!ends) return;
+  loop_->end();
+  loop_.reset();
   accessibilityDue_ = tellsAccessibility_ && std::has_single_bit(pass_);
   thinPlainTriangles();
-  if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
 }
 
 // The first pass is for accessibility alone, and the passes after it know the more of it the later they are.
@@ -174,35 +204,56 @@ void SideCast::flush() {
 // While the device casts a block, the host places the receivers of the next and adds up what the one before
 // saw.
 void SideCast::handOver(std::size_t first, std::size_t count, std::uint32_t set) {
+  const auto some = static_cast<std::uint32_t>(count);
+  const WorkPiece piece{receivers_, count};
+  const CastTask task = nextTask(some, set);
+  if (task.firstRow) storedCount_ += some;
+  receivers_ += count;
+  doneInPass_ += count;
+  const PieceSource source = loop_->sourceOf(piece);
+  if (source == PieceSource::Elsewhere) return;
   SeenBlock& block = blocks_[nextBlock_++ % blocks_.size()];
   const auto samples = std::span(pendingSamples_).subspan(first, count);
   const auto receivers = std::span(pendingReceivers_).subspan(first, count);
   block.samples.assign(samples.begin(), samples.end());
   block.receivers.assign(receivers.begin(), receivers.end());
   block.group = pass_ % errorGroups;
-  casting_.add([this, &block, set] { castBlock(block, set); });
+  block.task = task;
+  casting_.add([this, &block, piece, source] {
+    source == PieceSource::Given ? takeBlock(block, piece) : startBlock(block, piece);
+  });
 }
 
-void SideCast::castBlock(SeenBlock& block, std::uint32_t set) {
-  const auto count = static_cast<std::uint32_t>(block.receivers.size());
-  // Bounces read the records of stored rows, so a row is kept only where its record is.
+// Bounces read the records of stored rows, so a row is kept only where its record is.
+CastTask SideCast::nextTask(std::uint32_t count, std::uint32_t set) const {
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
                       receivers_ + count <= SampleRecords::most;
-  block.task = {sampler_.side(), set, std::nullopt};
-  if (stores) block.task.firstRow = storedFirst_ + storedCount_;
+  CastTask task{sampler_.side(), set, std::nullopt};
+  if (stores) task.firstRow = storedFirst_ + storedCount_;
+  return task;
+}
+
+void SideCast::takeBlock(SeenBlock& block, const WorkPiece& piece) {
+  finishStarted();
+  loop_->take(piece, [&](StateReader& state) {
+    caster_.loadBlock(state, block.rows, block.task, static_cast<std::uint32_t>(piece.count));
+  });
+  adding_.add([this, &block] { sums_.add(block); });
+}
+
+void SideCast::startBlock(SeenBlock& block, const WorkPiece& piece) {
   // A block that is alone takes the first place: the memory of others is not touched in vain.
   const std::size_t place = started_ ? (startedPlace_ + 1) % caster_.places() : 0;
   caster_.start(place, block.receivers, block.task);
   finishStarted();
   startedPlace_ = place;
-  started_ = [this, &block, place] {
+  started_ = [this, &block, piece, place] {
     caster_.finish(place, block.rows);
-    adding_.add([this, &block] { sums_.add(block); });
+    const auto count = static_cast<std::uint32_t>(piece.count);
+    const auto save = [&](StateWriter& state) { caster_.saveBlock(state, block.rows, block.task, count); };
+    if (loop_->give(piece, save)) adding_.add([this, &block] { sums_.add(block); });
   };
   if (caster_.places() == 1) finishStarted();
-  if (stores) storedCount_ += count;
-  receivers_ += count;
-  doneInPass_ += count;
 }
 
 // One block is always under way while another is waited for: its kernels fill the cores where those of the

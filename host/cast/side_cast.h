@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/kept_work.h"
 #include "base/threads.h"
+#include "base/work_share.h"
 #include "cast/caster.h"
 #include "cast/schedule.h"
 #include "cast/side_sums.h"
@@ -72,12 +74,18 @@ class SideCast {
   bool timeIsUp() const;
   bool endRound(const Progress& progress);
   void castPass(Progress& progress, WorkPart& part);
+  std::uint32_t firstOfStage() const;
+  std::uint32_t endOfStage() const;
+  std::string stage() const;
+  void endPass();
   void estimateAccessibility(const Progress& progress);
   void tellAccessibility();
   void flush();
   void sortPendingBySet();
   void handOver(std::size_t first, std::size_t count, std::uint32_t set);
-  void castBlock(SeenBlock& block, std::uint32_t set);
+  CastTask nextTask(std::uint32_t count, std::uint32_t set) const;
+  void takeBlock(SeenBlock& block, const WorkPiece& piece);
+  void startBlock(SeenBlock& block, const WorkPiece& piece);
   void finishStarted() const;
   std::uint32_t setOf(const SurfaceSample& sample) const;
   void thinPlainTriangles();
@@ -104,7 +112,8 @@ class SideCast {
   std::uint32_t passInRound_ = 0;
   double receiversPerPass_ = 0.0;
   bool inPass_ = false;
-  bool accessibilityDue_ = false;       ///< before the next pass
+  std::optional<SharedLoop> loop_;  ///< over the blocks of the passes up to the next that is looked back on
+  bool accessibilityDue_ = false;   ///< before the next pass
   SurfaceSampler::Position passStart_;  ///< where the sequences stood when the pass at hand began
   std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
   std::vector<SeenBlock> blocks_;       ///< used in turns

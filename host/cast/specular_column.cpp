@@ -140,4 +140,20 @@ void SpecularColumn::load(StateReader& state) {
   state.require(earlierSteps_ <= earlierRays_);
 }
 
+void SpecularColumn::saveBlock(StateWriter& state, const CastTask& /*task*/, std::uint32_t /*receivers*/) {
+  state.value(toldRays_.growth(caster_->rays()));
+  state.value(toldSteps_.growth(caster_->steps()));
+}
+
+void SpecularColumn::loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                               const ColumnRows& rows) {
+  FittedColumn::loadBlock(state, task, receivers, rows);
+  std::uint64_t ownRays = 0, ownSteps = 0;
+  state.value(ownRays);
+  state.value(ownSteps);
+  state.require(ownSteps <= ownRays);
+  earlierRays_ += ownRays;
+  earlierSteps_ += ownSteps;
+}
+
 }  // namespace prelight

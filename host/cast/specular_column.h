@@ -117,6 +117,9 @@ class SpecularColumn final : public FittedColumn {
   std::uint64_t rays() const override { return earlierRays_ + (caster_ ? caster_->rays() : 0); }
   void save(StateWriter& state) const override;
   void load(StateReader& state) override;
+  void saveBlock(StateWriter& state, const CastTask& task, std::uint32_t receivers) override;
+  void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                 const ColumnRows& rows) override;
 
   /// Returns how many of the rays were steps within bodies.
   std::uint64_t steps() const { return earlierSteps_ + (caster_ ? caster_->steps() : 0); }
@@ -126,7 +129,9 @@ class SpecularColumn final : public FittedColumn {
 
   SpecularWays ways_;
   std::optional<SpecularCaster> caster_;
-  std::uint64_t earlierRays_ = 0, earlierSteps_ = 0;  ///< of runs that load() goes on with
+  std::uint64_t earlierRays_ = 0, earlierSteps_ = 0;  ///< of runs that load() goes on with, and of blocks
+                                                      ///< of other processes
+  GrownCount toldRays_, toldSteps_;
 };
 
 }  // namespace prelight

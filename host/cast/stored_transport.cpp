@@ -126,11 +126,7 @@ void StoredTransport::load(StateReader& state) {
     state.require(end <= shape_.rows);
     part.resize(rows.size() / sizeof(Sender));
     std::memcpy(part.data(), rows.data(), rows.size());
-    for (const Sender& sender : part) {
-      if (sender.vertex == PRELIGHT_NO_TRIANGLE) continue;
-      state.require(sender.vertex / 2 < vertexCount_);
-      loaded_.fromBacks = loaded_.fromBacks || sender.vertex >= vertexCount_;
-    }
+    requireSenders(state, part);
     senders_->write(static_cast<std::uint32_t>(first), part);
     loaded_.rows = static_cast<std::uint32_t>(end);
   });
@@ -140,6 +136,48 @@ void StoredTransport::load(StateReader& state) {
   for (const std::uint8_t mark : marks) state.require(mark <= 1);
   loaded_.marked = std::find(marks.begin(), marks.end(), 1) != marks.end();
   marks_.write(std::span<const std::uint8_t>(marks));
+}
+
+/// Bounces read the transfer of senders, wherever they are said to be.
+void StoredTransport::requireSenders(const StateReader& state, std::span<const Sender> senders) {
+  for (const Sender& sender : senders) {
+    if (sender.vertex == PRELIGHT_NO_TRIANGLE) continue;
+    state.require(sender.vertex / 2 < vertexCount_);
+    loaded_.fromBacks = loaded_.fromBacks || sender.vertex >= vertexCount_;
+  }
+}
+
+/// Marks that another block has set meanwhile may be among those of this one: they are put together in the
+/// end.
+void StoredTransport::saveBlock(StateWriter& state, const CastTask& task, std::uint32_t receivers) {
+  std::vector<Sender> senders(std::size_t{receivers} * raysPerReceiver_);
+  senders_->read(*task.firstRow, senders);
+  state.values(senders);
+  const std::vector<std::uint8_t> marks = marks_.read();
+  toldMarks_.resize(marks.size());
+  std::vector<std::uint32_t> fresh;
+  for (std::uint32_t t = 0; t < marks.size(); ++t)
+    if (marks[t] != 0 && toldMarks_[t] == 0) fresh.push_back(t);
+  toldMarks_ = marks;
+  state.values(fresh);
+}
+
+void StoredTransport::loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                                const ColumnRows& rows) {
+  Column::loadBlock(state, task, receivers, rows);
+  std::vector<Sender> senders;
+  state.values(senders);
+  state.require(senders.size() == std::size_t{receivers} * raysPerReceiver_);
+  requireSenders(state, senders);
+  senders_->write(*task.firstRow, senders);
+  stored_ = *task.firstRow + receivers;
+  std::vector<std::uint32_t> marked;
+  state.values(marked);
+  for (const std::uint32_t triangle : marked) {
+    state.require(triangle < marks_.size());
+    const std::uint8_t mark = 1;
+    marks_.write(std::span(&mark, 1), triangle);
+  }
 }
 
 void StoredTransport::resizeTransfer(std::size_t values) {

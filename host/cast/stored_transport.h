@@ -97,6 +97,9 @@ class StoredTransport final : public Column {
   void finish(const CastBlock& block, ColumnRows& rows) override;
   void save(StateWriter& state) const override;
   void load(StateReader& state) override;
+  void saveBlock(StateWriter& state, const CastTask& task, std::uint32_t receivers) override;
+  void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                 const ColumnRows& rows) override;
 
   /// Summary of the rows that load() has read.
   struct Loaded {
@@ -137,6 +140,7 @@ class StoredTransport final : public Column {
 
  private:
   void allocate(const CastShape& shape) override;
+  void requireSenders(const StateReader& state, std::span<const device::Sender> senders);
   BuildOptions buildOptions(std::size_t columns) const;
 
   TransportShape shape_;
@@ -152,6 +156,7 @@ class StoredTransport final : public Column {
   Buffer<float> geometricNormals_;
   std::optional<SenderRows> senders_;
   Buffer<std::uint8_t> marks_;
+  std::vector<std::uint8_t> toldMarks_;  ///< [triangle], those that saveBlock() has written; or empty
   Buffer<float> transfer_;
   Buffer<device::CastParameters> gatherParameters_;
   Buffer<float> gatheredValues_;

@@ -54,60 +54,87 @@ LightMapBake::LightMapBake(const CompiledScene& scene, Tracer& tracer, LightMapL
 void LightMapBake::run(std::span<LightMapPart* const> parts, Progress& progress) {
   const TexelCells cells(scene_, map_.layout);
   WorkPart kept(progress, "light map", keptBy(*this));
-  Pace pace(fewestAtOnce, mostAtOnce);
-  pace.next(mostAtOnce);
-  std::uint64_t earlier = raysOf(parts);
-  const auto endBlock = [&] {
-    const std::uint64_t now = raysOf(parts);
-    rays_ += now - earlier;
-    earlier = now;
-    atOnce_ = pace.next(mostAtOnce);
-    kept.advance();
-  };
   const std::size_t count = hidden_.size();
-  while (done_ < count) {
-    progress.check();
-    const std::size_t size = std::min<std::size_t>(atOnce_, count - done_);
-    addBlock(parts, cells, done_, size);
-    done_ += size;
-    endBlock();
-    progress.report("light map", static_cast<double>(done_) / static_cast<double>(count));
-  }
+  runBlocks(kept, "light map", progress, done_, count,
+            [&](SharedLoop& loop, std::size_t size) { addBlock(loop, parts, cells, done_, size); });
   const std::vector<std::uint32_t> edges = this->edges();
-  while (refined_ < edges.size()) {
-    progress.check();
-    const std::size_t size = std::min<std::size_t>(atOnce_, edges.size() - refined_);
-    refineBlock(parts, cells, std::span(edges).subspan(refined_, size));
-    refined_ += size;
-    endBlock();
-    progress.report("edges of light", static_cast<double>(refined_) / static_cast<double>(edges.size()));
-  }
+  runBlocks(kept, "edges of light", progress, refined_, edges.size(),
+            [&](SharedLoop& loop, std::size_t size) {
+              refineBlock(loop, parts, cells, std::span(edges).subspan(refined_, size));
+            });
   kept.finish();
 }
 
-void LightMapBake::addBlock(std::span<LightMapPart* const> parts, const TexelCells& cells, std::size_t first,
-                            std::size_t size) {
-  const auto texels = std::span(map_.layout.texels).subspan(first, size);
-  std::vector<float> values(size * length(), 0.0f), sharp(size, 0.0f);
-  const auto lightOf = [&](std::size_t i) { return channelSum(&values[i * length()], map_.coefficients); };
-  for (LightMapPart* part : parts) {
-    if (part->isSharp())
-      for (std::size_t i = 0; i < size; ++i) sharp[i] -= lightOf(i);
-    part->addOverCells(texels, cells, map_.coefficients, values, std::span(hidden_).subspan(first, size));
-    if (part->isSharp())
-      for (std::size_t i = 0; i < size; ++i) sharp[i] += lightOf(i);
+template <typename AddBlock>
+void LightMapBake::runBlocks(WorkPart& kept, const char* stage, Progress& progress, std::uint64_t& done,
+                             std::size_t count, const AddBlock& addBlock) {
+  if (done == count) return;
+  SharedLoop loop(kept, stage);
+  Pace pace(fewestAtOnce, mostAtOnce);
+  pace.next(mostAtOnce);
+  if (loop.divided()) atOnce_ = SharedLoop::pieceSize(count, fewestAtOnce, mostAtOnce);
+  while (done < count) {
+    progress.check();
+    const std::size_t size = std::min<std::size_t>(atOnce_, count - done);
+    addBlock(loop, size);
+    done += size;
+    if (!loop.divided()) atOnce_ = pace.next(mostAtOnce);
+    kept.advance();
+    progress.report(stage, static_cast<double>(done) / static_cast<double>(count));
   }
+  loop.end();
+}
+
+void LightMapBake::addBlock(SharedLoop& loop, std::span<LightMapPart* const> parts, const TexelCells& cells,
+                            std::size_t first, std::size_t size) {
+  const auto texels = std::span(map_.layout.texels).subspan(first, size);
+  const auto hidden = std::span(hidden_).subspan(first, size);
+  std::vector<float> values(size * length(), 0.0f), sharp(size, 0.0f);
+  std::uint64_t rays = 0;
+  const auto lightOf = [&](std::size_t i) { return channelSum(&values[i * length()], map_.coefficients); };
+  const auto compute = [&] {
+    const std::uint64_t before = raysOf(parts);
+    for (LightMapPart* part : parts) {
+      if (part->isSharp())
+        for (std::size_t i = 0; i < size; ++i) sharp[i] -= lightOf(i);
+      part->addOverCells(texels, cells, map_.coefficients, values, hidden);
+      if (part->isSharp())
+        for (std::size_t i = 0; i < size; ++i) sharp[i] += lightOf(i);
+    }
+    rays = raysOf(parts) - before;
+  };
+  loop.run({first, size}, compute, [&](auto& state) {
+    state.sameSize(values);
+    state.sameSize(sharp);
+    state.elements(hidden);
+    state.value(rays);
+    state.requireFinite(values);
+    state.requireFinite(sharp);
+    for (const std::uint8_t is : hidden) state.require(is <= 1);
+  });
+  rays_ += rays;
   std::copy(sharp.begin(), sharp.end(), sharp_.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t i = 0; i < size; ++i)
     std::copy_n(&values[i * length()], length(), &map_.values[texels[i].texel * length()]);
 }
 
-void LightMapBake::refineBlock(std::span<LightMapPart* const> parts, const TexelCells& cells,
-                               std::span<const std::uint32_t> edges) {
-  std::vector<LightMapTexel> texels;
-  for (const std::uint32_t edge : edges) texels.push_back(map_.layout.texels[edge]);
+void LightMapBake::refineBlock(SharedLoop& loop, std::span<LightMapPart* const> parts,
+                               const TexelCells& cells, std::span<const std::uint32_t> edges) {
   std::vector<float> values(edges.size() * length(), 0.0f);
-  for (LightMapPart* part : parts) part->refine(texels, cells, map_.coefficients, values);
+  std::uint64_t rays = 0;
+  const auto compute = [&] {
+    const std::uint64_t before = raysOf(parts);
+    std::vector<LightMapTexel> texels;
+    for (const std::uint32_t edge : edges) texels.push_back(map_.layout.texels[edge]);
+    for (LightMapPart* part : parts) part->refine(texels, cells, map_.coefficients, values);
+    rays = raysOf(parts) - before;
+  };
+  loop.run({refined_, edges.size()}, compute, [&](auto& state) {
+    state.sameSize(values);
+    state.value(rays);
+    state.requireFinite(values);
+  });
+  rays_ += rays;
   corrections_.insert(corrections_.end(), values.begin(), values.end());
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/state_file.h"
+#include "base/work_share.h"
 #include "charts/texel_cells.h"
 #include "gpu/tracer.h"
 #include "prelight/bake.h"
@@ -83,9 +84,13 @@ class LightMapBake {
                   const Progress& progress = Progress()) const;
 
  private:
-  void addBlock(std::span<LightMapPart* const> parts, const TexelCells& cells, std::size_t first,
-                std::size_t size);
-  void refineBlock(std::span<LightMapPart* const> parts, const TexelCells& cells,
+  /// Calls addBlock(loop, size) for blocks of texels until `done` is `count`.
+  template <typename AddBlock>
+  void runBlocks(WorkPart& kept, const char* stage, Progress& progress, std::uint64_t& done,
+                 std::size_t count, const AddBlock& addBlock);
+  void addBlock(SharedLoop& loop, std::span<LightMapPart* const> parts, const TexelCells& cells,
+                std::size_t first, std::size_t size);
+  void refineBlock(SharedLoop& loop, std::span<LightMapPart* const> parts, const TexelCells& cells,
                    std::span<const std::uint32_t> edges);
   static constexpr std::size_t fewestAtOnce = 64;
 

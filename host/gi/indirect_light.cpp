@@ -6,6 +6,7 @@
 #include "base/clocks.h"
 #include "base/colour.h"
 #include "base/kept_work.h"
+#include "base/work_share.h"
 #include "charts/hidden_light.h"
 #include "charts/irradiance/small_regions.h"
 #include "charts/irradiance/spread_excess.h"
@@ -55,14 +56,24 @@ std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled, const 
   estimator.setPhotons(patches.sort(hits.photons));
   const std::vector<device::DensityQuery> queries =
       densityQueries(compiled, places, widestEstimate(compiled), patches.at(places));
+  SharedLoop loop(part, "densities of photons");
   Pace pace(leastQueries, mostQueries);
+  const std::size_t piece = SharedLoop::pieceSize(queries.size(), leastQueries, mostQueries);
   while (irradiance.size() < queries.size()) {
     progress.check();
-    const std::size_t first = irradiance.size(), count = pace.next(queries.size() - first);
-    const std::vector<glm::vec3> found = estimator.estimate(std::span(queries).subspan(first, count));
+    const std::size_t first = irradiance.size(), left = queries.size() - first;
+    const std::size_t count = loop.divided() ? std::min(piece, left) : pace.next(left);
+    std::vector<glm::vec3> found(count, glm::vec3(0.0f));
+    loop.run(
+        {first, count}, [&] { found = estimator.estimate(std::span(queries).subspan(first, count)); },
+        [&](auto& state) {
+          state.sameSize(found);
+          state.requireFinite(numbersOf(found));
+        });
     irradiance.insert(irradiance.end(), found.begin(), found.end());
     part.advance();
   }
+  loop.end();
   part.finish();
   return irradiance;
 }
@@ -79,18 +90,33 @@ std::uint64_t addDirect(DirectLight& light, const CompiledScene& compiled,
     state.growing(irradiance, done);
     state.requireFinite(numbersOf(irradiance));
   });
+  if (part.finished()) return rays;
+  SharedLoop loop(part, "direct light");
   Pace pace(leastQueries, mostQueries);
+  const std::size_t piece = SharedLoop::pieceSize(receivers.size(), leastQueries, mostQueries);
   while (done < receivers.size()) {
     progress.check();
-    const std::size_t count = pace.next(receivers.size() - done);
-    const std::uint64_t before = light.rays();
-    const std::vector<PointIrradiance> found = light.at(std::span(receivers).subspan(done, count));
+    const std::size_t left = receivers.size() - done;
+    const std::size_t count = loop.divided() ? std::min(piece, left) : pace.next(left);
+    std::vector<PointIrradiance> found(count, PointIrradiance{glm::vec4(0.0f), glm::vec4(0.0f)});
+    std::uint64_t own = 0;
+    const auto compute = [&] {
+      const std::uint64_t before = light.rays();
+      found = light.at(std::span(receivers).subspan(done, count));
+      own = light.rays() - before;
+    };
+    loop.run({done, count}, compute, [&](auto& state) {
+      state.sameSize(found);
+      state.value(own);
+      state.requireFinite(numbersOf(found));
+    });
     for (std::size_t i = 0; i < count; ++i)
       irradiance[done + i] += glm::vec3(found[i].far + found[i].emitters);
     done += count;
-    rays += light.rays() - before;
+    rays += own;
     part.advance();
   }
+  loop.end();
   part.finish();
   return rays;
 }

@@ -8,7 +8,9 @@
 #include <memory>
 
 #include "base/kept_work.h"
+#include "base/spans.h"
 #include "base/text.h"
+#include "base/work_share.h"
 #include "integrators/guide_tracer.h"
 #include "integrators/path_tracer.h"
 #include "prelight/error.h"
@@ -39,6 +41,9 @@ class Goal {
  public:
   explicit Goal(const ReferenceRequest& request)
       : request_(request), passes_(std::max<std::uint64_t>(1, request.samples / samplesPerPass(request))) {}
+
+  /// Number of passes, where neither an error nor a time is asked for.
+  std::uint64_t passes() const { return passes_; }
 
   bool isMet(const Film& film, double seconds) const {
     if (request_.error) return film.passes >= passesBeforeError && film.relativeError() <= *request_.error;
@@ -142,6 +147,51 @@ Lens focusedLens(const ReferenceInputs& inputs, const ReferenceRequest& request,
 
 }  // namespace
 
+namespace {
+
+/// Traces a film block by block. Processes may divide the blocks.
+class FilmBlocks {
+ public:
+  FilmBlocks(WorkPart& part, Film& film, std::uint64_t passes)
+      : film_(film),
+        loop_(part, "film"),
+        piece_(SharedLoop::pieceSize(passes * film.pixelCount(), leastPiece, film.pixelCount())) {}
+
+  /// Adds the next block of the film's current pass.
+  void addNext(PathTracer& tracer) {
+    const std::uint64_t most =
+        loop_.divided() ? std::min<std::uint64_t>(piece_, tracer.blockPixels()) : tracer.blockPixels();
+    const std::uint64_t count = std::min(most, film_.pixelCount() - film_.blockPixels);
+    means_.assign(count, glm::vec4(0.0f));
+    parts_.assign(film_.parts.empty() ? 0 : tracedParts * count, glm::vec4(0.0f));
+    const auto trace = [&] {
+      means_ = tracer.trace(film_.passes, static_cast<std::uint32_t>(film_.blockPixels),
+                            static_cast<std::uint32_t>(count));
+      parts_ = tracer.parts();
+    };
+    loop_.run({film_.passes * film_.pixelCount() + film_.blockPixels, count}, trace, [&](auto& state) {
+      for (std::vector<glm::vec4>* values : {&means_, &parts_}) {
+        state.sameSize(*values);
+        state.requireFinite(numbersOf(*values));
+      }
+    });
+    film_.add(means_, parts_);
+  }
+
+  void end() { loop_.end(); }
+
+ private:
+  static constexpr std::uint64_t leastPiece = 1u << 12;  // pixels
+
+  Film& film_;
+  SharedLoop loop_;
+  std::uint64_t piece_;
+  std::vector<glm::vec4> means_;  ///< of the block, [pixel], as PathTracer::trace() returns them
+  std::vector<glm::vec4> parts_;  ///< as PathTracer::parts()
+};
+
+}  // namespace
+
 void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& asked, const Device& device,
                      Progress& progress, Film& film, ReferenceReport& report) {
   if (asked.guides && inputs.ofPass)
@@ -159,19 +209,20 @@ void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& aske
     report.rays = tracers.rays();
     report.seconds = secondsSince(start);
   };
-  while (!goal.isMet(film, secondsSince(start))) {
-    PathTracer& tracer = tracers.of(film.passes).paths;
+  const auto met = [&] { return goal.isMet(film, secondsSince(start)); };
+  if (!met()) {
+    FilmBlocks blocks(part, film, goal.passes());
     do {
-      progress.report("reference", goal.fraction(film, secondsSince(start)));
-      account();
-      progress.check();
-      const std::uint64_t left = film.pixelCount() - film.blockPixels;
-      const std::vector<glm::vec4>& means =
-          tracer.trace(film.passes, static_cast<std::uint32_t>(film.blockPixels),
-                       static_cast<std::uint32_t>(std::min<std::uint64_t>(left, tracer.blockPixels())));
-      film.add(means, tracer.parts());
-      part.advance();
-    } while (film.blockPixels != 0);
+      PathTracer& tracer = tracers.of(film.passes).paths;
+      do {
+        progress.report("reference", goal.fraction(film, secondsSince(start)));
+        account();
+        progress.check();
+        blocks.addNext(tracer);
+        part.advance();
+      } while (film.blockPixels != 0);
+    } while (!met());
+    blocks.end();
   }
   part.finish(request.seconds.has_value());
   account();

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/kept_work.h"
+#include "base/work_share.h"
 
 namespace prelight {
 
@@ -57,6 +58,18 @@ BuildOptions scatterOptions(const PhotonRequest& request, BuildOptions options) 
 }
 
 }  // namespace
+
+void PhotonReport::add(const PhotonReport& more) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    power.emitted[c] += more.power.emitted[c];
+    power.absorbed[c] += more.power.absorbed[c];
+    power.escaped[c] += more.power.escaped[c];
+    power.cut[c] += more.power.cut[c];
+  }
+  emitted += more.emitted;
+  stored += more.stored;
+  rays += more.rays;
+}
 
 void PhotonHits::append(const PhotonHits& more) {
   photons.insert(photons.end(), more.photons.begin(), more.photons.end());
@@ -136,13 +149,27 @@ PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSourc
                                  Progress& progress) {
   Course at;
   WorkPart part(progress, "photons", [&](auto& state) { exchange(state, sources, at, hits); });
-  if (at.source < sources.sources.size()) begin(request, sources, at);
+  if (at.source == sources.sources.size()) return at.report;
+  begin(request, sources, at);
+  SharedLoop loop(part, "photons");
   while (at.source < sources.sources.size()) {
+    setBlock(sources, at, progress);
     PhotonHits block;
-    sendBlock(request, sources, at, block, progress);
+    PhotonReport sent;
+    const std::uint32_t first = at.paths, count = values_.pathCount;
+    if (count > 0)
+      loop.run(
+          {first, count}, [&] { traceBlock(request, first, block, sent); },
+          [&](auto& state) {
+            state.value(sent);
+            exchangeHits(state, first, first + count, block);
+          });
     hits.append(block);
+    at.report.add(sent);
+    pass(sources, at);
     part.advance();
   }
+  loop.end();
   part.finish();
   return at.report;
 }
@@ -157,6 +184,13 @@ void PhotonTracer::exchange(State& state, const PhotonSources& sources, Course& 
   state.require(std::isfinite(at.report.power.unit) && at.source <= sources.sources.size() &&
                 (at.source == sources.sources.size() ? at.photons == 0
                                                      : at.photons <= sources.sources[at.source].count));
+  exchangeHits(state, 0, at.paths, hits);
+}
+
+/// Writes or reads hits of paths [firstPath, endPath).
+template <typename State>
+void PhotonTracer::exchangeHits(State& state, std::uint32_t firstPath, std::uint32_t endPath,
+                                PhotonHits& hits) const {
   state.growing(hits.photons);
   state.growing(hits.paths);
   state.growing(hits.flights);
@@ -166,7 +200,7 @@ void PhotonTracer::exchange(State& state, const PhotonSources& sources, Course& 
   state.require(hits.paths.size() == hits.photons.size() && hits.flights.size() == hits.flightPaths.size());
   state.require(hits.backs.empty() || hits.backs.size() == triangles);
   state.check([&] {
-    const auto isPath = [&](std::uint32_t path) { return path < at.paths; };
+    const auto isPath = [&](std::uint32_t path) { return path >= firstPath && path < endPath; };
     return std::all_of(hits.photons.begin(), hits.photons.end(),
                        [&](const Photon& photon) {
                          const float sum = photon.position[0] + photon.position[1] + photon.position[2] +
@@ -186,6 +220,13 @@ void PhotonTracer::begin(const PhotonRequest& request, const PhotonSources& sour
 
 void PhotonTracer::sendBlock(const PhotonRequest& request, const PhotonSources& sources, Course& at,
                              PhotonHits& block, Progress& progress) {
+  setBlock(sources, at, progress);
+  if (values_.pathCount > 0) traceBlock(request, at.paths, block, at.report);
+  pass(sources, at);
+}
+
+/// Sets which photons are sent next.
+void PhotonTracer::setBlock(const PhotonSources& sources, const Course& at, Progress& progress) {
   const double all = std::accumulate(sources.sources.begin(), sources.sources.end(), 0.0,
                                      [](double sum, const PhotonSource& s) { return sum + s.count; });
   const PhotonSource& source = sources.sources[at.source];
@@ -194,10 +235,13 @@ void PhotonTracer::sendBlock(const PhotonRequest& request, const PhotonSources& 
   values_.source = source;
   values_.firstPhoton = at.photons;
   values_.pathCount = std::min(blockPhotons_, source.count - at.photons);
-  if (values_.pathCount > 0) traceBlock(request, at.paths, block, at.report);
+}
+
+/// Goes past the photons that setBlock() has chosen.
+void PhotonTracer::pass(const PhotonSources& sources, Course& at) const {
   at.paths += values_.pathCount;
   at.photons += values_.pathCount;
-  if (at.photons < source.count) return;
+  if (at.photons < sources.sources[at.source].count) return;
   ++at.source;
   at.photons = 0;
 }

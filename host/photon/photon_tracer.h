@@ -49,6 +49,9 @@ struct PhotonReport {
   std::uint64_t emitted = 0;  ///< photons emitted
   std::uint64_t stored = 0;   ///< hits stored
   std::uint64_t rays = 0;
+
+  /// Adds the counts of other photons; the unit of power stays.
+  void add(const PhotonReport& more);
 };
 
 /// A photon's path from one surface to the next, as it was traced.
@@ -105,8 +108,12 @@ class PhotonTracer {
   void begin(const PhotonRequest& request, const PhotonSources& sources, Course& at);
   void sendBlock(const PhotonRequest& request, const PhotonSources& sources, Course& at, PhotonHits& block,
                  Progress& progress);
+  void setBlock(const PhotonSources& sources, const Course& at, Progress& progress);
+  void pass(const PhotonSources& sources, Course& at) const;
   template <typename State>
   void exchange(State& state, const PhotonSources& sources, Course& at, PhotonHits& hits) const;
+  template <typename State>
+  void exchangeHits(State& state, std::uint32_t firstPath, std::uint32_t endPath, PhotonHits& hits) const;
   void build(const PhotonRequest& request, const PhotonSources& sources);
   void traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
                   PhotonReport& report);

@@ -1,8 +1,10 @@
 #include "radiosity/direct_light.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/kept_work.h"
+#include "base/work_share.h"
 
 namespace prelight {
 
@@ -75,17 +77,33 @@ std::vector<PointIrradiance> DirectLight::estimate(const std::vector<std::uint32
     state.growing(values, first * pointsPerElement_);
     state.requireFinite(numbersOf(values));
   });
+  if (part.finished()) return values;
+  SharedLoop loop(part, "direct light of elements");
   while (first < elements.size()) {
     progress.check();
     const std::size_t count = std::min<std::size_t>(block, elements.size() - first);
-    std::vector<Receiver> receivers;
-    for (const ElementPoints::Place& place : points_->of(elements, first, count, pointsPerElement_, 1))
-      receivers.push_back(place.receiver);
-    estimateBlock(receivers, &values[first * pointsPerElement_]);
+    const std::span<PointIrradiance> own =
+        std::span(values).subspan(first * pointsPerElement_, count * pointsPerElement_);
+    std::uint64_t rays = 0;
+    const auto compute = [&] {
+      std::vector<Receiver> receivers;
+      for (const ElementPoints::Place& place : points_->of(elements, first, count, pointsPerElement_, 1))
+        receivers.push_back(place.receiver);
+      const std::uint64_t before = rays_;
+      estimateBlock(receivers, own.data());
+      rays = std::exchange(rays_, before) - before;
+    };
+    loop.run({first, count}, compute, [&](auto& state) {
+      state.elements(own);
+      state.value(rays);
+      state.requireFinite(numbersOf(std::span<const PointIrradiance>(own)));
+    });
+    rays_ += rays;
     first += count;
     part.advance();
     progress.report("direct light", double(first) / double(elements.size()));
   }
+  loop.end();
   part.finish();
   return values;
 }

@@ -1,5 +1,7 @@
 #include "radiosity/form_factor_cast.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -87,18 +89,24 @@ void FormFactorCast::run(Progress& progress) {
   WorkPart part(progress, "form factors", keptBy(*this));
   if (part.finished()) return;
   do {
-    while (done_ < queue_.size()) {
-      progress.check();
-      const auto count =
-          static_cast<std::uint32_t>(std::min<std::uint64_t>(blockSize_, queue_.size() - done_));
-      castBlock(count);
-      done_ += count;
-      part.advance();
-      progress.report(round_ == 0 ? "form factors" : "form factors of backs",
-                      double(done_) / double(queue_.size()));
-    }
+    if (done_ < queue_.size()) runRound(progress, part);
   } while (startRound());
   part.finish();
+}
+
+void FormFactorCast::runRound(Progress& progress, WorkPart& part) {
+  SharedLoop loop(part, round_ == 0 ? std::string("form factors")
+                                    : fmt::format("form factors of backs, round {}", round_));
+  while (done_ < queue_.size()) {
+    progress.check();
+    const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(blockSize_, queue_.size() - done_));
+    addBlock(loop, count);
+    done_ += count;
+    part.advance();
+    progress.report(round_ == 0 ? "form factors" : "form factors of backs",
+                    double(done_) / double(queue_.size()));
+  }
+  loop.end();
 }
 
 /// Queues backs that no round has cast from yet. Returns false if there are none.
@@ -119,7 +127,52 @@ bool FormFactorCast::startRound() {
   return true;
 }
 
-void FormFactorCast::castBlock(std::uint32_t count) {
+/// Adds the rows of the next elements of the queue, and the backs that their rays have met.
+void FormFactorCast::addBlock(SharedLoop& loop, std::uint32_t count) {
+  ExchangeCounts rows;
+  std::vector<std::uint32_t> metBacks;
+  const auto cast = [&] {
+    rows.offsets.push_back(0);
+    castBlock(count, rows);
+    if (loop.divided()) metBacks = freshMarks();
+  };
+  const bool known = loop.run({done_, count}, cast, [&](auto& state) {
+    exchangeRows(state, rows);
+    state.values(metBacks);
+    state.check([&] { return areRowsOf(rows, count) && areTriangles(metBacks); });
+  });
+  if (!known) return;
+  append(rows);
+  const std::uint8_t mark = 1;
+  for (const std::uint32_t triangle : metBacks) marks_.write(std::span(&mark, 1), triangle);
+}
+
+/// Returns the triangles that have been marked since the last call.
+std::vector<std::uint32_t> FormFactorCast::freshMarks() {
+  std::vector<std::uint8_t> marks = marks_.read();
+  toldMarks_.resize(marks.size());
+  std::vector<std::uint32_t> fresh;
+  for (std::uint32_t t = 0; t < marks.size(); ++t)
+    if (marks[t] != 0 && toldMarks_[t] == 0) fresh.push_back(t);
+  toldMarks_ = std::move(marks);
+  return fresh;
+}
+
+void FormFactorCast::append(const ExchangeCounts& rows) {
+  const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  const std::uint64_t before = counts_.columns.size();
+  for (std::size_t row = 1; row < rows.offsets.size(); ++row)
+    counts_.offsets.push_back(before + rows.offsets[row]);
+  add(counts_.elements, rows.elements);
+  add(counts_.columns, rows.columns);
+  add(counts_.counts, rows.counts);
+  add(counts_.rays, rows.rays);
+  add(counts_.escaped, rows.escaped);
+  add(counts_.surface, rows.surface);
+  add(counts_.valid, rows.valid);
+}
+
+void FormFactorCast::castBlock(std::uint32_t count, ExchangeCounts& rows) {
   const std::vector<ElementPoints::Place> places =
       points_.of(queue_, done_, count, pointsPerElement_, raysPerPoint_);
   std::vector<Receiver> receivers;
@@ -150,10 +203,11 @@ void FormFactorCast::castBlock(std::uint32_t count) {
   judged_.read(std::span(judged));
   for (std::uint32_t i = 0; i < count; ++i)
     addRow(queue_[done_ + i], &codes[std::size_t{i} * raysPerElement_],
-           &judged[std::size_t{i} * pointsPerElement_]);
+           &judged[std::size_t{i} * pointsPerElement_], rows);
 }
 
-void FormFactorCast::addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged) {
+void FormFactorCast::addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged,
+                            ExchangeCounts& rows) {
   scratch_.clear();
   glm::vec4 surface(0.0f);
   std::uint32_t valid = 0;
@@ -174,17 +228,17 @@ void FormFactorCast::addRow(std::uint32_t element, const std::uint32_t* codes, c
     if (scratch_[i] == PRELIGHT_ESCAPED) {
       escaped = static_cast<std::uint32_t>(end - i);
     } else {
-      counts_.columns.push_back(scratch_[i]);
-      counts_.counts.push_back(static_cast<std::uint16_t>(end - i));
+      rows.columns.push_back(scratch_[i]);
+      rows.counts.push_back(static_cast<std::uint16_t>(end - i));
     }
     i = end;
   }
-  counts_.elements.push_back(element);
-  counts_.offsets.push_back(counts_.columns.size());
-  counts_.rays.push_back(static_cast<std::uint32_t>(scratch_.size()));
-  counts_.escaped.push_back(escaped);
-  counts_.surface.push_back(surface);
-  counts_.valid.push_back(valid);
+  rows.elements.push_back(element);
+  rows.offsets.push_back(rows.columns.size());
+  rows.rays.push_back(static_cast<std::uint32_t>(scratch_.size()));
+  rows.escaped.push_back(escaped);
+  rows.surface.push_back(surface);
+  rows.valid.push_back(valid);
 }
 
 void FormFactorCast::save(StateWriter& state) const {
@@ -214,9 +268,7 @@ void FormFactorCast::checkLoaded(const StateReader& state) const {
   const std::size_t rows = c.elements.size();
   const std::uint32_t elements = 2 * elements_.perSide();
   state.require(round_ <= maxBackRounds && done_ <= queue_.size() && done_ <= rows);
-  state.require(c.offsets.size() == rows + 1 && c.rays.size() == rows && c.escaped.size() == rows &&
-                c.surface.size() == rows && c.valid.size() == rows && c.columns.size() == c.counts.size());
-  state.require(c.offsets.front() == 0 && c.offsets.back() == c.columns.size());
+  state.require(areRows(c));
   for (const std::uint8_t cast : backCast_) state.require(cast <= 1);
   // The last rows must be the finished elements of the queue, and no element may occur twice.
   state.require(std::equal(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(done_),
@@ -228,22 +280,43 @@ void FormFactorCast::checkLoaded(const StateReader& state) const {
   };
   for (const std::uint32_t element : c.elements) requireNew(element);
   for (std::size_t i = done_; i < queue_.size(); ++i) requireNew(queue_[i]);
-  for (std::size_t row = 0; row < rows; ++row) checkRow(row, state);
 }
 
-void FormFactorCast::checkRow(std::size_t row, const StateReader& state) const {
-  const ExchangeCounts& c = counts_;
+/// Returns whether rows are those of the next `count` elements of the queue.
+bool FormFactorCast::areRowsOf(const ExchangeCounts& rows, std::uint32_t count) const {
+  return rows.elements.size() == count && areRows(rows) &&
+         std::equal(rows.elements.begin(), rows.elements.end(),
+                    queue_.begin() + static_cast<std::ptrdiff_t>(done_));
+}
+
+bool FormFactorCast::areTriangles(const std::vector<std::uint32_t>& numbers) const {
+  return std::all_of(numbers.begin(), numbers.end(), [&](std::uint32_t t) { return t < marks_.size(); });
+}
+
+/// Returns whether rows that come from a file are of one size, and each could have been cast.
+bool FormFactorCast::areRows(const ExchangeCounts& c) const {
+  const std::size_t rows = c.elements.size();
+  if (c.offsets.size() != rows + 1 || c.rays.size() != rows || c.escaped.size() != rows ||
+      c.surface.size() != rows || c.valid.size() != rows || c.columns.size() != c.counts.size() ||
+      c.offsets.front() != 0 || c.offsets.back() != c.columns.size())
+    return false;
+  for (std::size_t row = 0; row < rows; ++row)
+    if (!isRow(c, row)) return false;
+  return true;
+}
+
+bool FormFactorCast::isRow(const ExchangeCounts& c, std::size_t row) const {
   const std::uint32_t elements = 2 * elements_.perSide();
-  state.require(c.offsets[row] <= c.offsets[row + 1] && c.offsets[row + 1] <= c.columns.size());
+  if (c.offsets[row] > c.offsets[row + 1] || c.offsets[row + 1] > c.columns.size()) return false;
   std::uint64_t rays = c.escaped[row];
   for (std::uint64_t i = c.offsets[row]; i < c.offsets[row + 1]; ++i) {
-    state.require(c.columns[i] < elements && (i == c.offsets[row] || c.columns[i - 1] < c.columns[i]));
+    if (c.columns[i] >= elements || (i > c.offsets[row] && c.columns[i - 1] >= c.columns[i])) return false;
     rays += c.counts[i];
   }
-  state.require(rays == c.rays[row] && rays <= raysPerElement_);
   const glm::vec4& surface = c.surface[row];
-  for (int k = 0; k < 4; ++k) state.require(surface[k] >= 0.0f && surface[k] <= 1.001f);
-  state.require(rays == 0 || surface.w > 0.0f);
+  for (int k = 0; k < 4; ++k)
+    if (!(surface[k] >= 0.0f && surface[k] <= 1.001f)) return false;
+  return rays == c.rays[row] && rays <= raysPerElement_ && (rays == 0 || surface.w > 0.0f);
 }
 
 }  // namespace prelight

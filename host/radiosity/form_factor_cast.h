@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/state_file.h"
+#include "base/work_share.h"
 #include "gpu/tracer.h"
 #include "prelight/progress.h"
 #include "radiosity/elements.h"
@@ -47,10 +48,18 @@ class FormFactorCast {
 
  private:
   void checkLoaded(const StateReader& state) const;
-  void checkRow(std::size_t row, const StateReader& state) const;
+  bool areRowsOf(const ExchangeCounts& rows, std::uint32_t count) const;
+  bool areTriangles(const std::vector<std::uint32_t>& numbers) const;
+  bool areRows(const ExchangeCounts& rows) const;
+  bool isRow(const ExchangeCounts& rows, std::size_t row) const;
+  void runRound(Progress& progress, WorkPart& part);
   bool startRound();
-  void castBlock(std::uint32_t count);
-  void addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged);
+  void addBlock(SharedLoop& loop, std::uint32_t count);
+  void append(const ExchangeCounts& rows);
+  std::vector<std::uint32_t> freshMarks();
+  void castBlock(std::uint32_t count, ExchangeCounts& rows);
+  void addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged,
+              ExchangeCounts& rows);
 
   const RadiosityElements& elements_;
   Tracer& tracer_;
@@ -78,6 +87,7 @@ class FormFactorCast {
   Buffer<std::uint8_t> twoSided_;
   Buffer<std::uint8_t> reflecting_;
   Buffer<std::uint8_t> marks_;
+  std::vector<std::uint8_t> toldMarks_;  ///< [triangle], those that other processes are told of; or empty
 
   using Rays = Buffer<device::Ray>;
   using Hits = Buffer<device::Hit>;

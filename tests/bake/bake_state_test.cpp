@@ -13,8 +13,8 @@
 #include "bake/baker.h"
 #include "bake/make_plan.h"
 #include "base/resumable_run.h"
-#include "encodings/registry/registry.h"
 #include "prelight/error.h"
+#include "support/bakes_of_everything.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"
 #include "support/resumed.h"
@@ -22,6 +22,8 @@
 
 namespace prelight {
 namespace {
+
+using namespace test;
 
 /// Bakes in a folder of its own. It keeps every state that was saved, and can start from one of them.
 class KeptBake {
@@ -39,8 +41,8 @@ class KeptBake {
     });
     Progress outer;
     BakeReport report;
-    return bakeScene(scene, request, plan, test::sharedDevice(), run.begin({}, outer, true), report, nullptr,
-                     source);
+    return bakeScene(scene, request, plan, test::sharedDevice(), run.begin({}, outer, StateUse::Continue),
+                     report, nullptr, source);
   }
   Bake bake(const CompiledScene& scene, const BakeRequest& request) {
     return bake(scene, request, makePlan(Scene(), scene, request));
@@ -63,134 +65,6 @@ class KeptBake {
   std::filesystem::path path_ = folder_ / "a.state";
   std::size_t count_ = 0, stride_ = 1;
 };
-
-CompiledScene groundAndSphere() {
-  CompiledScene scene = test::ground(4, 2.0f);
-  test::append(scene, test::sphere(6, 0.5f, {0.0f, 0.8f, 0.0f}));
-  for (auto& material : scene.materials) {
-    material.albedo = glm::vec3(0.7f);
-    material.doubleSided = true;
-  }
-  scene.materials[1].emission = glm::vec3(2.0f);
-  return scene;
-}
-
-BakeRequest requestOf(int bounces) {
-  BakeRequest request;
-  request.ao = true;
-  request.sh.order = 2;
-  request.bounces = bounces;
-  request.effort.rays = 512;
-  return request;
-}
-
-/// Requests every technique that is stored per vertex or in the air.
-BakeRequest vertexRequest() {
-  BakeRequest request = requestOf(1);
-  request.ch.order = 2;
-  request.haar.size = 4;
-  request.glossy.order = 2;
-  request.lightGroups.wanted = true;
-  request.volume.size = 4;
-  request.cones = true;
-  request.horizons.sectors = 8;
-  request.nearLamps.shells = 2;
-  return request;
-}
-
-BakeRequest occluderRequest() {
-  BakeRequest request = requestOf(0);
-  request.occluders.wanted = true;
-  return request;
-}
-
-BakeRequest errorRequest() {
-  BakeRequest request = requestOf(1);
-  request.effort.error = 0.02;
-  return request;
-}
-
-BakeRequest radiosityRequest() {
-  BakeRequest request;
-  request.radiosity.wanted = true;
-  request.radiosity.patchSize = 0.5;
-  request.effort.rays = 64;
-  return request;
-}
-
-BakeRequest lightMapRequest() {
-  BakeRequest request;
-  request.lightMap.wanted = true;
-  request.lightMap.texelSize = 0.06;
-  request.lightMap.photons = 20'000;
-  request.effort.rays = 16;
-  request.encodedLight.encodings = {std::string(encodings().front().name)};
-  return request;
-}
-
-BakeRequest texelErrorRequest() {
-  BakeRequest request;
-  request.lightMap.wanted = true;
-  request.lightMap.error = 0.2;
-  request.lightMap.photons = 20'000;
-  request.effort.rays = 16;
-  return request;
-}
-
-void expectSame(const std::optional<HarmonicTransfer>& part, const std::optional<HarmonicTransfer>& whole) {
-  ASSERT_EQ(part.has_value(), whole.has_value());
-  if (part) {
-    EXPECT_EQ(part->coefficients, whole->coefficients);
-  }
-}
-
-void expectSameVertices(const Bake& part, const Bake& whole) {
-  EXPECT_EQ(part.ao, whole.ao);
-  EXPECT_EQ(part.bentNormals, whole.bentNormals);
-  EXPECT_EQ(part.apertures, whole.apertures);
-  expectSame(part.sh, whole.sh);
-  expectSame(part.ch, whole.ch);
-  if (whole.haar) {
-    EXPECT_EQ(part.haar->offsets, whole.haar->offsets);
-    EXPECT_EQ(part.haar->indices, whole.haar->indices);
-    EXPECT_EQ(part.haar->values, whole.haar->values);
-  }
-  if (whole.glossy) {
-    EXPECT_EQ(part.glossy->matrices, whole.glossy->matrices);
-  }
-  if (whole.lightGroups) {
-    EXPECT_EQ(part.lightGroups->coefficients, whole.lightGroups->coefficients);
-  }
-  if (whole.horizons) {
-    EXPECT_EQ(part.horizons->angles, whole.horizons->angles);
-  }
-  if (whole.nearLamps) {
-    EXPECT_EQ(part.nearLamps->halves, whole.nearLamps->halves);
-  }
-  if (whole.occluders) {
-    EXPECT_EQ(part.occluders->vectors, whole.occluders->vectors);
-  }
-  EXPECT_EQ(part.irradiance, whole.irradiance);
-}
-
-void expectSame(const Bake& part, const Bake& whole) {
-  expectSameVertices(part, whole);
-  if (whole.volume) {
-    EXPECT_EQ(part.volume->air, whole.volume->air);
-    EXPECT_EQ(part.volume->coefficients, whole.volume->coefficients);
-    EXPECT_EQ(part.volume->sent, whole.volume->sent);
-    EXPECT_EQ(part.volume->lights, whole.volume->lights);
-  }
-  if (whole.lightMap) {
-    EXPECT_EQ(part.lightMap->values, whole.lightMap->values);
-    ASSERT_EQ(part.lightMap->encoded.size(), whole.lightMap->encoded.size());
-    for (std::size_t i = 0; i < whole.lightMap->encoded.size(); ++i) {
-      EXPECT_EQ(part.lightMap->encoded[i].values, whole.lightMap->encoded[i].values);
-      EXPECT_EQ(part.encodedLight[i].values, whole.encodedLight[i].values);
-    }
-  }
-  EXPECT_EQ(part.info.rays, whole.info.rays);
-}
 
 /// Resumes from states of all times, as if the process had been killed after saving each.
 void expectSameFromAnyState(const BakeRequest& request, std::size_t tried = 12) {
@@ -316,7 +190,7 @@ TEST(BakeState, AlteredPayload_IsRefusedOrHarmless) {
 TEST(BakeState, SendersOutsideTheScene_AreRefused) {
   const CompiledScene scene = groundAndSphere();
   KeptBake kept;
-  (void)kept.bake(scene, requestOf(1));
+  (void)kept.bake(scene, vertexTransferRequest(1));
   // The senders are the largest record.
   std::vector<std::size_t> sizes;
   (void)altered(kept.states.back(), [&](std::size_t, Bytes& bytes) { sizes.push_back(bytes.size()); });
@@ -324,19 +198,19 @@ TEST(BakeState, SendersOutsideTheScene_AreRefused) {
   KeptBake from(altered(kept.states.back(), [&](std::size_t number, Bytes& bytes) {
     if (number == largest) std::fill(bytes.end() - 800, bytes.end(), std::byte{0x7f});
   }));
-  EXPECT_THROW((void)from.bake(scene, requestOf(1)), InputError);
+  EXPECT_THROW((void)from.bake(scene, vertexTransferRequest(1)), InputError);
 }
 
 /// The cast's record begins with its step and whether it is finished; the seconds follow.
 TEST(BakeState, SecondsThatNoClockHolds_AreRefused) {
   const CompiledScene scene = groundAndSphere();
   KeptBake kept;
-  (void)kept.bake(scene, requestOf(0));
+  (void)kept.bake(scene, vertexTransferRequest(0));
   for (const double seconds : {1e300, -1.0, std::nan(""), 1e10}) {
     KeptBake from(altered(kept.states.front(), [&](std::size_t number, Bytes& bytes) {
       if (number == 0) std::memcpy(&bytes[sizeof(std::uint64_t) + 1], &seconds, sizeof seconds);
     }));
-    EXPECT_THROW((void)from.bake(scene, requestOf(0)), InputError) << seconds;
+    EXPECT_THROW((void)from.bake(scene, vertexTransferRequest(0)), InputError) << seconds;
   }
 }
 

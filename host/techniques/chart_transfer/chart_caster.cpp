@@ -9,6 +9,7 @@
 
 #include "base/kept_work.h"
 #include "base/parallel.h"
+#include "base/work_share.h"
 #include "basis/sh.h"
 #include "fit/texel_fill.h"
 #include "receivers/chart_sampler.h"
@@ -77,12 +78,15 @@ class ChartCaster {
   ChartTransfer run() {
     ChartTransfer transfer{options_.order, static_cast<int>(channels()), options_.bounces, {}};
     WorkPart part(progress_, "texels", [&](auto& state) { exchange(state, transfer.maps); });
+    std::optional<SharedLoop> loop;  // over the texels of all charts
     while (transfer.maps.size() < charts_.charts.size()) {
       if (!sampler_) begin(transfer.maps.size());
-      castChart(part, transfer.maps.size());
+      if (!loop) loop.emplace(part, "texels");
+      castChart(part, *loop, transfer.maps.size());
       transfer.maps.push_back(finish(charts_.charts[transfer.maps.size()]));
       part.advance();
     }
+    if (loop) loop->end();
     part.finish();
     return transfer;
   }
@@ -155,13 +159,13 @@ class ChartCaster {
     place_ = 0;
   }
 
-  void castChart(WorkPart& part, std::size_t index) {
+  void castChart(WorkPart& part, SharedLoop& loop, std::size_t index) {
     const std::size_t places = sampler_->texels().size();
     const auto perBlock = std::max<std::size_t>(1, caster_.blockSize() / receiversPerTexel_);
     while (place_ < places) {
       progress_.check();
       const std::size_t first = place_, count = std::min(perBlock, places - first);
-      castBlock(*sampler_, first, count, charts_.charts[index]);
+      addBlock(loop, first, count, index);
       place_ += count;
       part.advance();
       progress_.report("texels",
@@ -169,6 +173,27 @@ class ChartCaster {
     }
     report_.texels += places;
     sampler_.reset();
+  }
+
+  /// Sums up what the receivers of places see. The pieces of a chart follow on those of the ones before it.
+  void addBlock(SharedLoop& loop, std::size_t first, std::size_t count, std::size_t index) {
+    const std::size_t hiddenBefore = std::exchange(report_.hidden, 0);
+    const std::uint64_t raysBefore = std::exchange(report_.rays, 0);
+    loop.run(
+        {report_.texels + first, count}, [&] { castBlock(*sampler_, first, count, charts_.charts[index]); },
+        [&](auto& state) {
+          for (std::size_t place = first; place < first + count; ++place) {
+            const std::size_t texel = sampler_->texels()[place];
+            const std::span<float> sum = std::span(sums_).subspan(texel * rowLength(), rowLength());
+            state.elements(sum);
+            state.value(counts_[texel]);
+            state.requireFinite(sum);
+          }
+          state.value(report_.hidden);
+          state.value(report_.rays);
+        });
+    report_.hidden += hiddenBefore;
+    report_.rays += raysBefore;
   }
 
   void castBlock(const ChartSampler& sampler, std::size_t first, std::size_t count, const Chart& chart) {

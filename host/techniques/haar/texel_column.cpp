@@ -84,6 +84,14 @@ void TexelColumn::start(const CastBlock& block) {
                codes_.of(block));
 }
 
+void TexelColumn::loadBlock(StateReader& state, const CastTask& /*task*/, std::uint32_t receivers,
+                            const ColumnRows& rows) {
+  state.require(rows.records.empty() &&
+                rows.rows.size() == receivers * codes_.width() * sizeof(std::uint32_t));
+  for (const std::uint32_t code : rows.of<std::uint32_t>())
+    state.require((code >> 8) < cubeTexelCount(faceSize_));
+}
+
 std::unique_ptr<ColumnSums> TexelColumn::makeSums(const SideShape& side) {
   const std::size_t capacity = bytes_ / (sizeof(std::uint32_t) * side.raysPerReceiver);
   return std::make_unique<TexelRows>(*this, capacity, side.raysPerReceiver);

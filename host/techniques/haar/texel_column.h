@@ -63,6 +63,8 @@ class TexelColumn final : public Column {
   bool castFrom(Side side) const override { return side == Side::Front; }
   void start(const CastBlock& block) override;
   void finish(const CastBlock& block, ColumnRows& rows) override { codes_.read(block, rows); }
+  void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                 const ColumnRows& rows) override;
   std::unique_ptr<ColumnSums> makeSums(const SideShape& side) override;
 
  private:

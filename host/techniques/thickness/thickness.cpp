@@ -62,6 +62,11 @@ class ThicknessColumn final : public FittedColumn {
   std::uint64_t rays() const override { return rays_; }
   void save(StateWriter& state) const override { state.value(rays_); }
   void load(StateReader& state) override { state.value(rays_); }
+  void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                 const ColumnRows& rows) override {
+    FittedColumn::loadBlock(state, task, receivers, rows);
+    rays_ += std::uint64_t{receivers} * raysPerReceiver_;
+  }
 
  private:
   void allocate(const CastShape& shape) override {

@@ -58,6 +58,27 @@ void OccluderColumn::finish(const CastBlock& block, ColumnRows& rows) {
   if (ways_) ColumnRows::read(waySums_, 0, PRELIGHT_WAYS * std::size_t{all.first}, rows.records[ways]);
 }
 
+void OccluderColumn::saveBlock(StateWriter& state, const CastTask& /*task*/, std::uint32_t /*receivers*/) {
+  state.value(toldRays_.growth(ways_ ? ways_->rays() : 0));
+}
+
+void OccluderColumn::loadBlock(StateReader& state, const CastTask& /*task*/, std::uint32_t receivers,
+                               const ColumnRows& rows) {
+  std::uint64_t ownRays = 0;
+  state.value(ownRays);
+  earlierRays_ += ownRays;
+  state.require(rows.rows.size() == receivers * sizeof(RecordSpan) && rows.records.size() == (ways_ ? 2 : 1));
+  const std::size_t records = rows.records[sums].size() / sizeof(OccluderSums);
+  state.require(rows.records[sums].size() == records * sizeof(OccluderSums));
+  state.require(!ways_ || rows.records[ways].size() == records * PRELIGHT_WAYS * sizeof(OccluderWaySums));
+  for (const RecordSpan& span : rows.of<RecordSpan>())
+    state.require(span.first <= records && span.count <= records - span.first);
+  const auto seen = rows.recordsOf<OccluderSums>(sums);
+  for (const OccluderSums& record : seen) state.require(record.group < groups_.names.size());
+  state.requireFinite(numbersOf(seen));
+  if (ways_) state.requireFinite(numbersOf(rows.recordsOf<OccluderWaySums>(ways)));
+}
+
 std::unique_ptr<ColumnSums> OccluderColumn::makeSums(const SideShape& side) {
   return std::make_unique<OccluderMeans>(side.mesh, *this);
 }

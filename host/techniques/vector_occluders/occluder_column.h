@@ -51,6 +51,9 @@ class OccluderColumn final : public Column {
   std::unique_ptr<ColumnSums> makeSums(const SideShape& side) override;
   void save(StateWriter& state) const override { state.value(rays()); }
   void load(StateReader& state) override { state.value(earlierRays_); }
+  void saveBlock(StateWriter& state, const CastTask& task, std::uint32_t receivers) override;
+  void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
+                 const ColumnRows& rows) override;
 
  private:
   void allocate(const CastShape& shape) override;
@@ -58,7 +61,8 @@ class OccluderColumn final : public Column {
 
   const OccluderGroups& groups_;
   bool knowsAccessibility_ = false;
-  std::uint64_t earlierRays_ = 0;  ///< of runs that load() goes on with
+  std::uint64_t earlierRays_ = 0;  ///< of runs that load() goes on with, and of blocks of other processes
+  GrownCount toldRays_;
   std::uint32_t raysPerReceiver_ = 0;
   std::optional<DeviceScene> scene_;  ///< with what occluders are told apart by
   std::optional<OccluderWays> ways_;

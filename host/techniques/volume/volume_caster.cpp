@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/kept_work.h"
+#include "base/work_share.h"
 #include "basis/sh_evaluate.h"
 #include "receivers/surface_sampler.h"
 
@@ -64,14 +65,17 @@ class VolumeCaster {
       state.value(first);
       exchange(state, first, volume);
     });
+    if (first == count) return volume;
+    SharedLoop loop(part, "volume");
     while (first < count) {
       progress.check();
       const std::uint32_t some = std::min(blockSize_, count - first);
-      castBlock(first, some, volume);
+      addBlock(loop, first, some, volume);
       progress.report("volume", double(first) / count);
       first += some;
       part.advance();
     }
+    loop.end();
     part.finish();
     return volume;
   }
@@ -96,7 +100,22 @@ class VolumeCaster {
     }
   }
 
-  void castBlock(std::uint32_t first, std::uint32_t count, VolumeTransfer& volume) {
+  void addBlock(SharedLoop& loop, std::uint32_t first, std::uint32_t count, VolumeTransfer& volume) {
+    std::vector<float> values(count * (1 + columns_)),
+        reflected(options_.bounces > 0 ? count * gatheredValues() : 0);
+    loop.run(
+        {first, count}, [&] { castBlock(first, count, values, reflected); },
+        [&](auto& state) {
+          state.sameSize(values);
+          state.sameSize(reflected);
+          state.requireFinite(values);
+          state.requireFinite(reflected);
+        });
+    append(values, reflected, volume);
+  }
+
+  void castBlock(std::uint32_t first, std::uint32_t count, std::vector<float>& values,
+                 std::vector<float>& reflected) {
     const CastParameters parameters{count,
                                     options_.rays,
                                     0,
@@ -112,16 +131,13 @@ class VolumeCaster {
     generate_.launch(std::size_t{count} * options_.rays / 8, parameters_, lower, size, seed, rays_);
     tracer_.traceClosest(rays_, hits_, std::size_t{count} * options_.rays);
     project_.launch(count, parameters_, shTable_, rays_, hits_, geometricNormals_, twoSided_, values_);
-    std::vector<float> values(count * (1 + columns_)), reflected;
     values_.read(std::span(values));
     if (options_.bounces > 0) gather(count, reflected);
-    append(values, reflected, volume);
   }
 
   void gather(std::uint32_t count, std::vector<float>& reflected) {
     gather_.launch(count, parameters_, tracer_.scene().layoutBuffer(), tracer_.scene().surface(),
                    geometricNormals_, rays_, hits_, transfer_, backs_, reflected_);
-    reflected.resize(count * gatheredValues());
     reflected_.read(std::span(reflected));
   }
 
