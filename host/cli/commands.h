@@ -12,6 +12,7 @@ void addBakeCommand(CLI::App& program, Context& context);
 void addRenderCommand(CLI::App& program, Context& context);
 void addReferenceCommand(CLI::App& program, Context& context);
 void addViewCommand(CLI::App& program, Context& context);
+void addMergeCommand(CLI::App& program, Context& context);
 void addInfoCommand(CLI::App& program, Context& context);
 void addSceneCommand(CLI::App& program, Context& context);
 void addDevicesCommand(CLI::App& program, Context& context);

@@ -44,7 +44,7 @@ void checkFolder(const std::string& option, const fs::path& path, const fs::path
 void checkOutputFile(const std::string& option, const fs::path& path,
                      std::initializer_list<std::string_view> extensions) {
   const std::string extension = lowerExtension(path);
-  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+  if (extensions.size() > 0 && std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
     throw UsageError(option, fmt::format("got '{}', expected a file name that ends in {}", path.string(),
                                          fmt::join(extensions, " or ")));
   std::error_code ignored;

@@ -8,8 +8,8 @@
 namespace prelight::cli {
 
 /// Throws unless a file can be written at `path`, so that a typing error does not cost hours of work.
-/// `option` is the option that set the path. A wrong extension is a UsageError, everything else an
-/// Error(RuntimeFailure).
+/// `option` is the option that set the path; without extensions, any will do. A wrong extension is a
+/// UsageError, everything else an Error(RuntimeFailure).
 void checkOutputFile(const std::string& option, const std::filesystem::path& path,
                      std::initializer_list<std::string_view> extensions);
 

@@ -51,6 +51,7 @@ void addCommands(CLI::App& program, Context& context, AddBench addBench) {
   addRenderCommand(program, context);
   addReferenceCommand(program, context);
   addViewCommand(program, context);
+  addMergeCommand(program, context);
   addExportCommand(program, context);
   addInfoCommand(program, context);
   addSceneCommand(program, context);
@@ -123,10 +124,10 @@ int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
   return static_cast<int>(ExitCode::BadUsage);
 }
 
-int run(int argumentCount, const char* const* arguments, AddBench addBench, Context& context) {
-  CLI::App program(
-      "Prelight precomputes how light travels through a glTF scene and relights it in real time.",
-      "prelight");
+/// Sets up a program with all commands.
+void describe(CLI::App& program, AddBench addBench, Context& context) {
+  program.description(
+      "Prelight precomputes how light travels through a glTF scene and relights it in real time.");
   program.set_version_flag("--version", fmt::format("prelight {} ({})", PRELIGHT_VERSION, commitName()));
   program.require_subcommand(1);
   program.fallthrough();
@@ -136,6 +137,16 @@ int run(int argumentCount, const char* const* arguments, AddBench addBench, Cont
   program.footer("Example:\n  prelight scene shapes -o shapes.glb && prelight bake shapes.glb -o baked.glb");
   addGlobalOptions(program, context.options);
   addCommands(program, context, addBench);
+}
+
+int run(int argumentCount, const char* const* arguments, AddBench addBench, Context& context) {
+  CLI::App program("", "prelight");
+  describe(program, addBench, context);
+  context.runAgain = [&](const std::vector<std::string>& others) {
+    CLI::App again("", "prelight");
+    describe(again, addBench, context);
+    again.parse(std::vector<std::string>(others.rbegin(), others.rend()));
+  };
   try {
     program.parse(argumentCount, arguments);
   } catch (const CLI::Success& help) {  // thrown by --help and --version

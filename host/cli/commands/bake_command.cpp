@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,7 +11,9 @@
 #include "cli/commands/bake_estimate.h"
 #include "cli/commands/export_command.h"
 #include "cli/commands/planned_bake.h"
+#include "cli/commands/stage_end.h"
 #include "cli/options/bake_options.h"
+#include "cli/options/division_options.h"
 #include "cli/options/option_names.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -47,6 +50,7 @@ struct BakeCommand {
   ExportAfterBake exported;
   bool resume = false;
   bool dryRun = false;
+  Division division;
   LoadOptions load;
   std::string animation;  ///< name or number; empty: none
   std::optional<int> keyCount;
@@ -55,8 +59,9 @@ struct BakeCommand {
 };
 
 void checkBakeOutputs(const BakeCommand& command) {
-  checkOutputFile("-o", command.output, {".glb"});
-  if (command.bake.request.lightMap) checkOutputFile("-o", lightMapPath(command.output), {".exr"});
+  checkDividedOutput(command.division, command.output, {".glb"});
+  if (command.bake.request.lightMap && !command.division.slice)
+    checkOutputFile("-o", lightMapPath(command.output), {".exr"});
   if (!command.report.empty()) checkOutputFile("--report", command.report, {".json"});
   if (!command.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", command.bake.dumpKernels);
 }
@@ -282,9 +287,14 @@ std::optional<RefineReport> refineAsAsked(const BakeCommand& command, const Bake
   return refined.report;
 }
 
+/// Rays per vertex of a bake whose stages are listed.
+constexpr std::uint64_t raysOfListedStages = 64;
+
 void runBake(const BakeCommand& command, Context& context) {
   checkRequest(command.bake.request);
   requireUse(withTechniques(command));
+  requireDivisible(command.division, command.bake.request.effort.seconds ? "--time" : "",
+                   "a bake that ends by the clock is not the same in every process");
   Session session(context);
   LoadOptions load = command.load;
   if (load.at) load.animation = command.animation;
@@ -308,9 +318,18 @@ void runBake(const BakeCommand& command, Context& context) {
     tellPlan(command, request, deviceOptions, animation.has_value(), loaded, session);
     return;
   }
+  if (command.division.listsStages) request.effort.rays = std::min(request.effort.rays, raysOfListedStages);
   WaitingData data(request, ownDocument(loaded));
-  KeptState state(command.output, "bake", command.resume, session.console(), context.signals);
-  BakedScene baked = bakeAll(command, loaded, request, deviceOptions, animation, session, state);
+  KeptState state(command.output, "bake", command.resume, command.division, session.console(),
+                  context.signals);
+  BakedScene baked;
+  try {
+    baked = bakeAll(command, loaded, request, deviceOptions, animation, session, state);
+    if (state.stages()) return tellStages(session, "bake", state);
+    requireStage(session, state);
+  } catch (const StageEnd& end) {
+    return tellStageEnd(session, "bake", state, end);
+  }
   BakeRun& run = baked.run;
   for (const std::string& warning : run.report.warnings) session.warn(warning);
   run.bake.info.sky = bakedSky(command, request);
@@ -375,6 +394,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
                 "write nothing; say what would be done and skipped and why, how large the file would be, and "
                 "how long the bake would take, estimated from a few rays")
       ->excludes("--resume");
+  addDivisionOptions(*app, command->division, "OUT.glb");
   addKernelOptions(*app, command->bake);
   app->footer(
       "Without a technique the bake is --ao --sh 3 --bounces 1.\n\n"
@@ -392,8 +412,12 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake house.glb -o baked.glb --lightmap --export web --export-target three\n"
       "  prelight bake glass.glb -o baked.glb --lightmap --caustics --photons 1000000\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
-      "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");
-  app->callback([command, &context] { runBake(*command, context); });
+      "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3\n"
+      "  prelight bake city.glb -o 2.part --sh 4 --rays 4096 --slice 2/16");
+  app->callback([command, app, &context] {
+    command->division.arguments = recordedArguments(*app);
+    runBake(*command, context);
+  });
 }
 
 }  // namespace prelight::cli

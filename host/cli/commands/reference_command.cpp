@@ -13,6 +13,8 @@
 #include "cli/commands/denoiser_report.h"
 #include "cli/commands/exposure.h"
 #include "cli/commands/planned_picture.h"
+#include "cli/commands/stage_end.h"
+#include "cli/options/division_options.h"
 #include "cli/options/light_option.h"
 #include "cli/options/object_option.h"
 #include "cli/options/options.h"
@@ -54,6 +56,7 @@ struct ReferenceCommand {
   ReferenceRequest request;
   bool resume = false;
   bool dryRun = false;
+  Division division;
   LoadOptions load;
   std::vector<PlacedObject> objects;
 };
@@ -275,6 +278,10 @@ std::unique_ptr<reference::Exposure> expose(const ReferenceCommand& command, con
 }
 
 void runReference(const ReferenceCommand& command, Context& context) {
+  requireDivisible(command.division, command.request.seconds ? "--time" : "",
+                   "a picture that ends by the clock is not the same in every process");
+  requireDivisible(command.division, command.request.error ? "--error" : "",
+                   "the number of samples that it takes is not known before they are added up");
   Session session(context);
   checkMoment(command.load);
   LoadedScene loaded = session.load(command.scene, command.load);
@@ -290,7 +297,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   const auto [sky, studio, name, turn] = pictures::choosePictureSky(
       session, command.environment, command.lights.has_value(), false, loaded, command.camera);
   if (!command.camera) pictures::frameScene(session, studio, command.size.width, command.size.height, loaded);
-  checkOutputFile("-o", command.output, {".exr"});
+  checkDividedOutput(command.division, command.output, {".exr"});
 
   pictures::PictureDenoising denoising(command.request.guides);
   reference::ReferenceInputs inputs{loaded.compiled,
@@ -312,9 +319,17 @@ void runReference(const ReferenceCommand& command, Context& context) {
   run.device = device.info();
   denoising.require();
   if (command.dryRun) return tellPlan(inputs, command, run.request, device, session);
+  if (command.division.listsStages) run.request.samples = 1;
   const StopSignals::SafePoints safePoints(context.signals);
-  KeptState state(command.output, "reference", command.resume, session.console(), context.signals);
-  session.times().measure("trace", [&] { traceResumably(inputs, device, state, run, session); });
+  KeptState state(command.output, "reference", command.resume, command.division, session.console(),
+                  context.signals);
+  try {
+    session.times().measure("trace", [&] { traceResumably(inputs, device, state, run, session); });
+    if (state.stages()) return tellStages(session, "reference", state);
+    requireStage(session, state);
+  } catch (const StageEnd& end) {
+    return tellStageEnd(session, "reference", state, end);
+  }
   Picture picture = run.film.picture();
   denoising.apply(session, run.report.guides, DenoiseEffort::Full, picture);
   session.progress().clear();
@@ -376,6 +391,7 @@ void addReferenceCommand(CLI::App& program, Context& context) {
                 "write nothing; say what would be drawn, how large the file would be, and how long it would "
                 "take, estimated from a few samples")
       ->excludes("--resume");
+  addDivisionOptions(*app, command->division, "IMG.exr");
   addSceneOptions(*app, command->load);
   addMomentOptions(*app, command->load);
   addObjectOption(*app, command->objects, "put another glTF file into the scene");
@@ -386,8 +402,12 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       "  prelight reference level.glb -o truth.exr --error 0.01 --env sky.hdr --depth 8\n"
       "  prelight reference level.glb -o truth.exr --error 0.01 --dry-run\n"
       "  prelight reference level.glb -o quick.exr --spp 16 --denoise\n"
-      "  prelight reference rooms.glb -o truth.exr --object ball.glb:-1,0.5,1");
-  app->callback([command, &context] { runReference(*command, context); });
+      "  prelight reference rooms.glb -o truth.exr --object ball.glb:-1,0.5,1\n"
+      "  prelight reference level.glb -o 2.part --spp 4096 --slice 2/16");
+  app->callback([command, app, &context] {
+    command->division.arguments = recordedArguments(*app);
+    runReference(*command, context);
+  });
 }
 
 }  // namespace prelight::cli

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <system_error>
+
+#include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {
@@ -20,20 +23,39 @@ double stateInterval() {
 }  // namespace
 
 KeptState::KeptState(const std::filesystem::path& output, const std::string& kind, bool resume,
-                     const Console& console, StopSignals& signals)
-    : run_(stateFileOf(output), kind, stateInterval(), [this] { tellOfSave(); }),
+                     const Division& division, const Console& console, StopSignals& signals)
+    : run_(division.slice || division.listsStages ? division.state : stateFileOf(output), kind,
+           stateInterval(), [this] { tellOfSave(); }),
+      output_(output),
       kind_(kind),
       resume_(resume),
+      division_(division),
       console_(console),
-      signals_(signals) {}
+      signals_(signals) {
+  if (std::error_code ignored; !division.state.empty() && !std::filesystem::exists(division.state, ignored))
+    throw InputError(division.state.string(), "there is no such file",
+                     "name the state that prelight merge has left");
+}
+
+StateUse KeptState::use() const {
+  if (division_.slice || division_.listsStages) return StateUse::Read;
+  return resume_ || !division_.parts.empty() ? StateUse::Continue : StateUse::Replace;
+}
+
+WorkShare* KeptState::makeShare(const StateKey& key) {
+  if (division_.slice) return &slice_.emplace(output_, kind_, key, *division_.slice, division_.arguments);
+  if (division_.listsStages) return &stages_.emplace();
+  if (division_.parts.empty()) return nullptr;
+  return &parts_.emplace(division_.parts, kind_, key, division_.anyDevice);
+}
 
 Progress& KeptState::begin(const StateKey& key, Progress& outer) {
-  progress_ = &run_.begin(key, outer, resume_);
+  progress_ = &run_.begin(key, outer, use(), makeShare(key));
   if (resume_)
     console_.note(run_.goesOn() ? fmt::format("continuing {}", run_.path().string())
                                 : fmt::format("--resume: there is no {}; starting from the beginning",
                                               run_.path().string()));
-  if (run_.goesOn()) signals_.setParting(message());
+  if (run_.goesOn() || slice_) signals_.setParting(message());
   return *progress_;
 }
 
@@ -51,6 +73,10 @@ void KeptState::remove() {
 }
 
 std::string KeptState::message() const {
+  if (slice_)
+    return fmt::format(
+        "interrupted; {} holds the finished part of the slice, the same command goes on with it",
+        output_.string());
   const std::string failure = run_.failure();
   if (run_.hasState() && failure.empty())
     return fmt::format("interrupted; {} holds the finished part, continue it with --resume",
