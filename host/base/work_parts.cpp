@@ -55,9 +55,9 @@ PartTitle readTitle(const StateLog& log) {
 /// Opens a file whose pieces are to be read.
 StateLog openPart(const std::filesystem::path& path) {
   std::optional<StateLog> log = StateLog::openAny(path, StateLog::Access::Read);
-  if (!log) throw InputError(path.string(), "there is no such file", "name files that --slice has written");
+  if (!log) throw InputError(path.string(), "there is no such file", "name files that slices have written");
   if (!log->kind().starts_with(kindOf("")) || !log->has(titleRecord))
-    throw InputError(path.string(), "is not the work of a slice", "name files that --slice has written");
+    throw InputError(path.string(), "is not the work of a slice", "name files that slices have written");
   return std::move(*log);
 }
 

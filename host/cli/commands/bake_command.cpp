@@ -11,9 +11,9 @@
 #include "cli/commands/bake_estimate.h"
 #include "cli/commands/export_command.h"
 #include "cli/commands/planned_bake.h"
-#include "cli/commands/stage_end.h"
+#include "cli/division/division_options.h"
+#include "cli/division/stages.h"
 #include "cli/options/bake_options.h"
-#include "cli/options/division_options.h"
 #include "cli/options/option_names.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -323,13 +323,10 @@ void runBake(const BakeCommand& command, Context& context) {
   KeptState state(command.output, "bake", command.resume, command.division, session.console(),
                   context.signals);
   BakedScene baked;
-  try {
+  const auto bake = [&] {
     baked = bakeAll(command, loaded, request, deviceOptions, animation, session, state);
-    if (state.stages()) return tellStages(session, "bake", state);
-    requireStage(session, state);
-  } catch (const StageEnd& end) {
-    return tellStageEnd(session, "bake", state, end);
-  }
+  };
+  if (!doStages(session, "bake", state, bake)) return;
   BakeRun& run = baked.run;
   for (const std::string& warning : run.report.warnings) session.warn(warning);
   run.bake.info.sky = bakedSky(command, request);

@@ -13,8 +13,8 @@
 #include "cli/commands/denoiser_report.h"
 #include "cli/commands/exposure.h"
 #include "cli/commands/planned_picture.h"
-#include "cli/commands/stage_end.h"
-#include "cli/options/division_options.h"
+#include "cli/division/division_options.h"
+#include "cli/division/stages.h"
 #include "cli/options/light_option.h"
 #include "cli/options/object_option.h"
 #include "cli/options/options.h"
@@ -277,21 +277,30 @@ std::unique_ptr<reference::Exposure> expose(const ReferenceCommand& command, con
   return exposure;
 }
 
-void runReference(const ReferenceCommand& command, Context& context) {
+void requireDivisible(const ReferenceCommand& command) {
   requireDivisible(command.division, command.request.seconds ? "--time" : "",
                    "a picture that ends by the clock is not the same in every process");
   requireDivisible(command.division, command.request.error ? "--error" : "",
                    "the number of samples that it takes is not known before they are added up");
-  Session session(context);
+}
+
+/// Returns the scene as it is when the shutter opens, with the objects that are put into it.
+LoadedScene loadScene(const ReferenceCommand& command, Session& session) {
   checkMoment(command.load);
   LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
   if (command.request.shutter > 0.0) openShutter(loaded);
-  if (!command.objects.empty()) {
-    pictures::addObjects(session, command.objects, loaded.scene);
-    Warnings said;  // these warnings were given for the scene without the lights
-    loaded.compiled = compileScene(loaded.scene, said);
-  }
+  if (command.objects.empty()) return loaded;
+  pictures::addObjects(session, command.objects, loaded.scene);
+  Warnings said;  // these warnings were given for the scene without the lights
+  loaded.compiled = compileScene(loaded.scene, said);
+  return loaded;
+}
+
+void runReference(const ReferenceCommand& command, Context& context) {
+  requireDivisible(command);
+  Session session(context);
+  LoadedScene loaded = loadScene(command, session);
   std::optional<std::vector<Light>> lights = command.lights;
   pictures::makeSurfaces(lights, loaded);
   const auto [sky, studio, name, turn] = pictures::choosePictureSky(
@@ -323,13 +332,10 @@ void runReference(const ReferenceCommand& command, Context& context) {
   const StopSignals::SafePoints safePoints(context.signals);
   KeptState state(command.output, "reference", command.resume, command.division, session.console(),
                   context.signals);
-  try {
+  const auto trace = [&] {
     session.times().measure("trace", [&] { traceResumably(inputs, device, state, run, session); });
-    if (state.stages()) return tellStages(session, "reference", state);
-    requireStage(session, state);
-  } catch (const StageEnd& end) {
-    return tellStageEnd(session, "reference", state, end);
-  }
+  };
+  if (!doStages(session, "reference", state, trace)) return;
   Picture picture = run.film.picture();
   denoising.apply(session, run.report.guides, DenoiseEffort::Full, picture);
   session.progress().clear();

@@ -6,8 +6,8 @@
 
 #include "base/resumable_run.h"
 #include "cli/console/console.h"
+#include "cli/console/division.h"
 #include "cli/console/stop_signals.h"
-#include "cli/options/division_options.h"
 
 namespace prelight::cli {
 

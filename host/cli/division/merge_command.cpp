@@ -9,7 +9,7 @@
 #include "base/work_parts.h"
 #include "cli/commands.h"
 #include "cli/console/console.h"
-#include "cli/options/division_options.h"
+#include "cli/division/division_options.h"
 
 namespace prelight::cli {
 namespace {

@@ -2,23 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/work_parts.h"
+#include "cli/console/division.h"
 
 namespace prelight::cli {
-
-/// How a command divides its work among processes (docs/scaling-out.md).
-struct Division {
-  std::optional<SliceChoice> slice;          ///< the output is the file of a slice
-  std::filesystem::path state;               ///< that the slice goes on from; empty: from the beginning
-  std::vector<std::filesystem::path> parts;  ///< files of slices to take pieces from
-  bool anyDevice = false;                    ///< they may be of another device
-  bool listsStages = false;                  ///< nothing is written, and the stages are told
-  std::vector<std::string> arguments;        ///< recordedArguments() of the command, for the slice's file
-};
 
 /// Adds --slice, --from, --parts, --any-device and --stages to a command that writes `output`.
 void addDivisionOptions(CLI::App& app, Division& division, const std::string& output);

@@ -1,4 +1,4 @@
-#include "cli/options/division_options.h"
+#include "cli/division/division_options.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cli/commands/stage_end.h"
+#include "cli/division/stages.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,8 +51,6 @@ void tellParts(Session& session, const GivenParts& parts) {
                   parts.here() > 0 ? fmt::format("; {} that none had were done here", parts.here()) : ""));
 }
 
-}  // namespace
-
 void tellStageEnd(Session& session, const std::string& command, const KeptState& state, const StageEnd& end) {
   session.progress().clear();
   if (state.slice()) return tellSlice(session, command, state, *state.slice());
@@ -85,7 +83,8 @@ void tellStages(Session& session, const std::string& command, const KeptState& s
       command, {{"stages", list}, {"seconds", session.times().total()}, {"warnings", session.warnings()}}));
 }
 
-void requireStage(Session& session, const KeptState& state) {
+/// Tells what the end of all work was made of.
+void tellWhole(Session& session, const KeptState& state) {
   if (state.slice())
     throw UsageError("--slice", "nothing is left that could be divided",
                      "finish the work on one machine, without --slice");
@@ -93,6 +92,24 @@ void requireStage(Session& session, const KeptState& state) {
   requireUse(*state.parts());
   session.progress().clear();
   tellParts(session, *state.parts());
+}
+
+}  // namespace
+
+bool doStages(Session& session, const std::string& command, const KeptState& state,
+              const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const StageEnd& end) {
+    tellStageEnd(session, command, state, end);
+    return false;
+  }
+  if (state.stages()) {
+    tellStages(session, command, state);
+    return false;
+  }
+  tellWhole(session, state);
+  return true;
 }
 
 }  // namespace prelight::cli
