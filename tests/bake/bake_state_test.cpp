@@ -19,6 +19,7 @@
 #include "support/gltf_files.h"
 #include "support/resumed.h"
 #include "support/scenes.h"
+#include "support/spoiled.h"
 
 namespace prelight {
 namespace {
@@ -103,17 +104,6 @@ TEST(BakeState, StoppedAgainAndAgain_EndsAsIfNeverStopped) {
 }
 
 using Bytes = std::vector<std::byte>;
-
-/// Overwrites some bytes with values that no index, count or number may have.
-void spoil(Bytes& payload, std::mt19937& random) {
-  constexpr std::array<std::size_t, 4> lengths = {1, 4, 8, 2048};
-  const std::size_t length = std::min(lengths[random() % lengths.size()], payload.size() / 2);
-  const std::size_t at = random() % (payload.size() - length) / 4 * 4;
-  constexpr std::array<int, 4> fills = {0xff, 0x7f, 0x00, -1};
-  const int fill = fills[random() % fills.size()];
-  for (std::size_t i = 0; i < length; ++i)
-    payload[at + i] = static_cast<std::byte>(fill < 0 ? random() & 0xffu : static_cast<unsigned>(fill));
-}
 
 /// A copy of a state in which change(number of the record or array, its bytes) altered the bytes. The hashes
 /// match the altered bytes.

@@ -171,6 +171,7 @@ Scene builtinScene(const std::string& name, const glm::dmat4& transform) {
 }
 
 std::vector<ClosedMesh> closedObjectsOfBuiltinScenes(const glm::dmat4& transform) {
+  constexpr std::size_t pointsOfEach = 32;  // of many meshes, which share the rays
   std::vector<ClosedMesh> meshes;
   for (const auto& builtin : builtinScenes()) {
     Scene scene = builtinScene(builtin.name, transform);
@@ -178,7 +179,8 @@ std::vector<ClosedMesh> closedObjectsOfBuiltinScenes(const glm::dmat4& transform
       scene.meshNodes = {node};
       Warnings warnings;
       const CompiledScene compiled = compileScene(scene, warnings);
-      if (isClosed(compiled)) meshes.push_back(closedMesh(builtin.name + "/" + node.name, compiled));
+      if (isClosed(compiled))
+        meshes.push_back(closedMesh(builtin.name + "/" + node.name, compiled, pointsOfEach));
     }
   }
   return meshes;

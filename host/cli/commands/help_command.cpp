@@ -30,7 +30,7 @@ struct Task {
   std::string_view name, purpose, commands;
 };
 
-constexpr std::array<Task, 8> tasks = {{
+constexpr std::array<Task, 9> tasks = {{
     {"start", "Bake a scene, look at it, and see it under another sky",
      "  prelight scene shapes -o shapes.glb\n"
      "  prelight bake shapes.glb -o baked.glb\n"
@@ -64,6 +64,11 @@ constexpr std::array<Task, 8> tasks = {{
      "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --dry-run\n"
      "  prelight render model.glb -o picture.png --shading full --dry-run\n"
      "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --max-memory 4G\n"},
+    {"machines", "Divide a long picture or bake among several machines",
+     "  prelight reference model.glb -o 1.part --spp 4096 --slice 1/2\n"
+     "  prelight reference model.glb -o 2.part --spp 4096 --slice 2/2\n"
+     "  prelight merge 1.part 2.part -o truth.exr\n"
+     "  prelight bake model.glb -o baked.glb --sh 4 --bounces 2 --stages\n"},
 }};
 
 std::string taskList() {

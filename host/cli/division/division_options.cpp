@@ -52,6 +52,8 @@ void addDivisionOptions(CLI::App& app, Division& division, const std::string& ou
           ->type_name("I/N")
           ->excludes("--resume")
           ->excludes("--dry-run");
+  for (const char* ofTheWhole : {"--report", "--export"})
+    if (CLI::Option* option = app.get_option_no_throw(ofTheWhole)) slice->excludes(option);
   app.add_option("--from", division.state,
                  "state that `prelight merge` has left, for the slices of a later stage")
       ->type_name("FILE.state")
