@@ -391,7 +391,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
                 "write nothing; say what would be done and skipped and why, how large the file would be, and "
                 "how long the bake would take, estimated from a few rays")
       ->excludes("--resume");
-  addDivisionOptions(*app, command->division, "OUT.glb");
+  addDivisionOptions(*app, command->division);
   addKernelOptions(*app, command->bake);
   app->footer(
       "Without a technique the bake is --ao --sh 3 --bounces 1.\n\n"

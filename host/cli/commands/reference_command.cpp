@@ -397,7 +397,7 @@ void addReferenceCommand(CLI::App& program, Context& context) {
                 "write nothing; say what would be drawn, how large the file would be, and how long it would "
                 "take, estimated from a few samples")
       ->excludes("--resume");
-  addDivisionOptions(*app, command->division, "IMG.exr");
+  addDivisionOptions(*app, command->division);
   addSceneOptions(*app, command->load);
   addMomentOptions(*app, command->load);
   addObjectOption(*app, command->objects, "put another glTF file into the scene");

@@ -43,12 +43,12 @@ SliceChoice parseSlice(const std::string& text) {
 
 }  // namespace
 
-void addDivisionOptions(CLI::App& app, Division& division, const std::string& output) {
+void addDivisionOptions(CLI::App& app, Division& division) {
   CLI::Option* slice =
       app.add_option_function<std::string>(
              "--slice", [&division](const std::string& text) { division.slice = parseSlice(text); },
-             "do the I-th of N shares of the next stage of the work and write it to " + output +
-                 ", for `prelight merge`; a share that was interrupted goes on when it is asked for again")
+             "do the I-th of N shares of the next stage of the work and write it to the file of -o, for "
+             "`prelight merge`; a share that was interrupted goes on when it is asked for again")
           ->type_name("I/N")
           ->excludes("--resume")
           ->excludes("--dry-run");

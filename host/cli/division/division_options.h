@@ -9,8 +9,8 @@
 
 namespace prelight::cli {
 
-/// Adds --slice, --from, --parts, --any-device and --stages to a command that writes `output`.
-void addDivisionOptions(CLI::App& app, Division& division, const std::string& output);
+/// Adds --slice, --from, --parts, --any-device and --stages to a command.
+void addDivisionOptions(CLI::App& app, Division& division);
 
 /// Returns the command and its arguments without what names files to write, a device and the division: the
 /// command's name, its scene, then --NAME=VALUE or --NAME each.
