@@ -77,6 +77,14 @@ TEST_F(CliDivided, Bake_HasTheBytesOfOneProcess) {
   EXPECT_FALSE(files().contains("x.glb"));
 }
 
+TEST_F(CliDivided, TexelsAndVolume_HaveTheBytesOfOneProcess) {
+  const Arguments command{"bake",     "room.glb", "--sh",     "2", "--bounces", "1",
+                          "--texels", "64",       "--volume", "8", "--rays",    "16"};
+  prelightDone(with(command, {"-o", "whole.glb"}));
+  EXPECT_THAT(inSlices(command, "merged.glb", 2), ::testing::IsSupersetOf({"texels", "volume"}));
+  EXPECT_EQ(withoutSeconds(readFile("merged.glb")), withoutSeconds(readFile("whole.glb")));
+}
+
 TEST_F(CliDivided, StateOfAStage_CanBeFinishedByOneProcess) {
   const Arguments command{"bake", "room.glb", "--ao", "--rays", "64"};
   prelightDone(with(command, {"-o", "whole.glb"}));
