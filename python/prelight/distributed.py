@@ -1,7 +1,7 @@
 """Bakes and reference pictures that the workers of a Dask cluster divide among them. docs/scaling-out.md is a tutorial.
 
-The workers run the program `prelight`, which has to be installed where they are. They and the caller share a folder, or a store that
-fsspec reads and writes, such as s3://bucket/folder.
+The workers run the program `prelight`, which has to be installed where they are, beside this package. They and the caller share a folder, or a
+store that fsspec reads and writes, such as s3://bucket/folder.
 """
 
 import concurrent.futures
