@@ -46,7 +46,7 @@ class KeepingProgress final : public Progress {
   mutable bool keptForStop_ = false;
 };
 
-/// What a run does with a state that is there.
+/// The use that a run makes of a state that is there.
 enum class StateUse : std::uint8_t {
   Replace,   ///< starts from the beginning and saves its own
   Continue,  ///< goes on from it and saves what comes of it

@@ -20,7 +20,7 @@ struct SliceChoice {
   std::uint32_t count = 1;
 };
 
-/// What the file of a slice says of itself.
+/// The title of a slice's file.
 struct PartTitle {
   std::string loop, stage;
   SliceChoice slice;

@@ -84,8 +84,9 @@ bool SideCast::endRound(const Progress& progress) {
   return false;
 }
 
-// What receivers have seen decides where those of later passes are placed: on fronts after passes 1, 2, 4 and
-// so on of a round, on backs, which are few, after a round. Processes that divide a cast meet as often.
+// Later passes place their receivers by what earlier ones have seen: on fronts they look back after passes 1,
+// 2, 4 and so on of a round, on backs, which are few, after a round. Processes that divide a cast meet as
+// often.
 std::uint32_t SideCast::firstOfStage() const {
   return sampler_.side() == Side::Front ? std::bit_floor(passInRound_) : 0;
 }

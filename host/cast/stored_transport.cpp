@@ -153,13 +153,7 @@ void StoredTransport::saveBlock(StateWriter& state, const CastTask& task, std::u
   std::vector<Sender> senders(std::size_t{receivers} * raysPerReceiver_);
   senders_->read(*task.firstRow, senders);
   state.values(senders);
-  const std::vector<std::uint8_t> marks = marks_.read();
-  toldMarks_.resize(marks.size());
-  std::vector<std::uint32_t> fresh;
-  for (std::uint32_t t = 0; t < marks.size(); ++t)
-    if (marks[t] != 0 && toldMarks_[t] == 0) fresh.push_back(t);
-  toldMarks_ = marks;
-  state.values(fresh);
+  state.values(toldMarks_.fresh(marks_));
 }
 
 void StoredTransport::loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
@@ -173,11 +167,8 @@ void StoredTransport::loadBlock(StateReader& state, const CastTask& task, std::u
   stored_ = *task.firstRow + receivers;
   std::vector<std::uint32_t> marked;
   state.values(marked);
-  for (const std::uint32_t triangle : marked) {
-    state.require(triangle < marks_.size());
-    const std::uint8_t mark = 1;
-    marks_.write(std::span(&mark, 1), triangle);
-  }
+  for (const std::uint32_t triangle : marked) state.require(triangle < marks_.size());
+  mark(marked, marks_);
 }
 
 void StoredTransport::resizeTransfer(std::size_t values) {

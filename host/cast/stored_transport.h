@@ -7,6 +7,7 @@
 
 #include "base/spill_file.h"
 #include "cast/column.h"
+#include "cast/told_marks.h"
 #include "device/buffer.h"
 #include "device/kernel.h"
 #include "shared/cast_types.h"
@@ -156,7 +157,7 @@ class StoredTransport final : public Column {
   Buffer<float> geometricNormals_;
   std::optional<SenderRows> senders_;
   Buffer<std::uint8_t> marks_;
-  std::vector<std::uint8_t> toldMarks_;  ///< [triangle], those that saveBlock() has written; or empty
+  ToldMarks toldMarks_;
   Buffer<float> transfer_;
   Buffer<device::CastParameters> gatherParameters_;
   Buffer<float> gatheredValues_;

@@ -134,7 +134,7 @@ void FormFactorCast::addBlock(SharedLoop& loop, std::uint32_t count) {
   const auto cast = [&] {
     rows.offsets.push_back(0);
     castBlock(count, rows);
-    if (loop.divided()) metBacks = freshMarks();
+    if (loop.divided()) metBacks = toldMarks_.fresh(marks_);
   };
   const bool known = loop.run({done_, count}, cast, [&](auto& state) {
     exchangeRows(state, rows);
@@ -143,19 +143,7 @@ void FormFactorCast::addBlock(SharedLoop& loop, std::uint32_t count) {
   });
   if (!known) return;
   append(rows);
-  const std::uint8_t mark = 1;
-  for (const std::uint32_t triangle : metBacks) marks_.write(std::span(&mark, 1), triangle);
-}
-
-/// Returns the triangles that have been marked since the last call.
-std::vector<std::uint32_t> FormFactorCast::freshMarks() {
-  std::vector<std::uint8_t> marks = marks_.read();
-  toldMarks_.resize(marks.size());
-  std::vector<std::uint32_t> fresh;
-  for (std::uint32_t t = 0; t < marks.size(); ++t)
-    if (marks[t] != 0 && toldMarks_[t] == 0) fresh.push_back(t);
-  toldMarks_ = std::move(marks);
-  return fresh;
+  mark(metBacks, marks_);
 }
 
 void FormFactorCast::append(const ExchangeCounts& rows) {

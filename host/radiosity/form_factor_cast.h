@@ -6,6 +6,7 @@
 
 #include "base/state_file.h"
 #include "base/work_share.h"
+#include "cast/told_marks.h"
 #include "gpu/tracer.h"
 #include "prelight/progress.h"
 #include "radiosity/elements.h"
@@ -56,7 +57,6 @@ class FormFactorCast {
   bool startRound();
   void addBlock(SharedLoop& loop, std::uint32_t count);
   void append(const ExchangeCounts& rows);
-  std::vector<std::uint32_t> freshMarks();
   void castBlock(std::uint32_t count, ExchangeCounts& rows);
   void addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged,
               ExchangeCounts& rows);
@@ -87,7 +87,7 @@ class FormFactorCast {
   Buffer<std::uint8_t> twoSided_;
   Buffer<std::uint8_t> reflecting_;
   Buffer<std::uint8_t> marks_;
-  std::vector<std::uint8_t> toldMarks_;  ///< [triangle], those that other processes are told of; or empty
+  ToldMarks toldMarks_;
 
   using Rays = Buffer<device::Ray>;
   using Hits = Buffer<device::Hit>;
