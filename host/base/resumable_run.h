@@ -78,7 +78,7 @@ class ResumableRun {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Removes the state once the work is done.
+  /// Removes the state once the work is done, unless another run is continuing it.
   void remove();
 
  private:

@@ -27,6 +27,7 @@ namespace {
 constexpr std::array<char, 8> magic = {'P', 'R', 'L', 'S', 'T', 'A', 'T', 'E'};
 constexpr std::uint32_t version = 3;
 constexpr const char* startAnew = "delete it to start anew";
+constexpr const char* heldByAnother = "another run is continuing it";
 constexpr const char* cannotRead = "cannot read the state of the interrupted run";
 constexpr mode_t ownerOnly = 0600;
 constexpr std::uint64_t toleratedWaste = std::uint64_t{64} << 20;  // bytes of a file that are no longer used
@@ -159,8 +160,11 @@ class StateLog::File {
     return !pending_ && (::fstat(descriptor_, &own) != 0 || own.st_nlink == 0);
   }
 
-  void moveIn() {
+  /// Moves the file to its path. `replaced`: this process's own file there, or nullptr. Throws if another
+  /// process is continuing the file there.
+  void moveIn(const File* replaced) {
     if (!pending_) return;
+    if (replaced == nullptr || replaced->isGone()) requireFree();
     pending_->close();
     pending_->moveIn();
     pending_.reset();
@@ -172,10 +176,35 @@ class StateLog::File {
     lock();
   }
 
+  /// Opens a file, and locks it if it is to be continued. Returns nullptr if there is none.
+  static std::unique_ptr<File> open(const fs::path& path, Access access) {
+    for (;;) {
+      std::error_code ignored;
+      if (!fs::exists(path, ignored)) return nullptr;
+      refuseSpecialFile(path);
+      const int flags = (access == Access::Read ? O_RDONLY : O_RDWR) | O_CLOEXEC;
+      const int descriptor = ::open(path.c_str(), flags);
+      if (descriptor < 0) throw InputError(path.string(), cannotRead, startAnew);
+      auto file = std::make_unique<File>(path, descriptor);
+      if (access == Access::Read) return file;
+      if (!file->lock()) throw UsageError(path.string(), heldByAnother, "wait for that run, or end it");
+      // The run that had the lock may have replaced or removed the file meanwhile.
+      if (!file->isGone()) return file;
+    }
+  }
+
   /// Locks the file. Returns false if another process has it; file systems without locks refuse nobody.
   bool lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
  private:
+  void requireFree() const {
+    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) return;
+    if (!File(path_, descriptor).lock())
+      throw Error(ExitCode::RuntimeFailure, path_.string(), heldByAnother,
+                  "wait for that run, or write to another file");
+  }
+
   fs::path path_;
   std::optional<PendingFile> pending_;
   int descriptor_ = -1;
@@ -216,13 +245,10 @@ std::optional<StateLog> StateLog::open(const fs::path& path, const std::string& 
 }
 
 std::optional<StateLog> StateLog::openAny(const fs::path& path, Access access) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) return std::nullopt;
-  refuseSpecialFile(path);
-  const int descriptor = ::open(path.c_str(), (access == Access::Read ? O_RDONLY : O_RDWR) | O_CLOEXEC);
-  if (descriptor < 0) throw InputError(path.string(), cannotRead, startAnew);
+  std::unique_ptr<File> file = File::open(path, access);
+  if (!file) return std::nullopt;
   StateLog log(path, {}, {});
-  log.file_ = std::make_unique<File>(path, descriptor);
+  log.file_ = std::move(file);
   const std::uint64_t size = log.file_->size();
   Preamble preamble;
   if (size >= sizeof preamble) log.file_->read(0, std::as_writable_bytes(std::span(&preamble, 1)));
@@ -247,8 +273,6 @@ std::optional<StateLog> StateLog::openAny(const fs::path& path, Access access) {
     return slot.sequence > 0 && slot.check == slot.rightCheck() && slot.end <= size;
   });
   if (usable == slots.end()) log.damaged();
-  if (access == Access::Continue && !log.file_->lock())
-    throw UsageError(path.string(), "another run is continuing it", "wait for that run, or end it");
   log.scan(*usable);
   return log;
 }
@@ -451,7 +475,7 @@ void StateLog::commit(double seconds) {
   contents_.seconds = seconds;
   ++contents_.sequence;
   writeSlot();
-  file_->moveIn();
+  file_->moveIn(older_.get());
   older_.reset();
   committed_ = contents_;
 }

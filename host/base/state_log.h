@@ -22,7 +22,7 @@ std::filesystem::path stateFileOf(const std::filesystem::path& output);
 /// the next commit(), all at once: a reader finds the state of a commit, whenever its writer ended. Replaced
 /// and erased records stay in the file until they take more room than the others.
 ///
-/// The file is created by the first commit and then replaces an older one. Only its owner may read it.
+/// The first commit creates the file, or replaces one that no run continues. Only its owner may read it.
 ///
 /// Functions that write throw Error (RuntimeFailure); the state is then that of the last commit.
 class StateLog {
@@ -36,7 +36,7 @@ class StateLog {
   ~StateLog();
 
   enum class Access : std::uint8_t {
-    Continue,  ///< by one process at a time
+    Continue,  ///< by one process at a time, which locks the file
     Read,      ///< by any number of processes; nothing may be written
   };
 

@@ -2,12 +2,16 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 
+#include "base/resumable_run.h"
 #include "prelight/error.h"
 #include "support/file_limit.h"
 #include "support/gltf_files.h"
@@ -234,6 +238,56 @@ TEST_F(StateLogFile, HeldByAnother_IsRefused) {
   StateLog log = fresh();
   log.commit(0.0);
   EXPECT_THROW((void)StateLog::open(path_, "bake", key_), UsageError);
+}
+
+TEST_F(StateLogFile, HeldByAnother_IsNotReplacedByANewOne) {
+  writeTwice();
+  const StateLog holder = reopened();
+  StateLog second = fresh();
+  write(second, "first", {9});
+  try {
+    second.commit(1.0);
+    FAIL() << "the other run's file was replaced";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
+    EXPECT_THAT(error.what(), HasSubstr("another run"));
+  }
+  EXPECT_EQ(read(*StateLog::open(path_, "bake", key_, StateLog::Access::Read), "first"), (Numbers{4, 5}));
+}
+
+TEST_F(StateLogFile, HeldByAnother_IsNotRemovedByARunThatIsDone) {
+  writeTwice();
+  Progress progress;
+  ResumableRun run(path_, "bake");
+  (void)run.begin(key_, progress, StateUse::Replace);
+  {
+    const StateLog holder = reopened();
+    run.remove();
+    EXPECT_TRUE(fs::exists(path_));
+  }
+  run.remove();
+  EXPECT_FALSE(fs::exists(path_));
+}
+
+/// A run that ends without unlocking leaves no lock: the system ends it with the process.
+TEST_F(StateLogFile, HeldByAKilledProcess_IsFree) {
+  writeTwice();
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t process = ::fork();
+  if (process == 0) {
+    const StateLog holder = reopened();
+    if (::write(ready[1], "x", 1) != 1) ::_exit(1);
+    for (;;) ::pause();
+  }
+  char told = 0;
+  ASSERT_EQ(::read(ready[0], &told, 1), 1);
+  EXPECT_THROW((void)reopened(), UsageError);
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  EXPECT_EQ(read(reopened(), "first"), (Numbers{4, 5}));
+  ::close(ready[0]);
+  ::close(ready[1]);
 }
 
 TEST_F(StateLogFile, WhatWasReplaced_DoesNotFillTheDisk) {
