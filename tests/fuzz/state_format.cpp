@@ -1,9 +1,11 @@
 #include "fuzz/state_format.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
+#include "base/work_share.h"
 #include "fit/sample_records.h"
 #include "fit/vertex_fit.h"
 #include "prelight/compiled_scene.h"
@@ -104,6 +106,24 @@ void doKeptWork(WorkKeeper& keeper, bool interrupt) {
   }
   (void)work.fit.solve(0.01);  // not finite for sums near the largest float: bakes are checked when written
   whole.finish(true);
+}
+
+bool doDividedWork(WorkKeeper& keeper) {
+  constexpr std::uint64_t pieces = 3;
+  const KeeperAlone progress(keeper);
+  const FitMesh mesh = makeFitMesh(square());
+  std::vector<double> sums;
+  WorkPart whole(progress, "divided", [&](auto& state) { state.values(sums); });
+  SharedLoop loop(whole, "pieces");
+  for (std::uint64_t i = 0; i < pieces; ++i) {
+    Work work(mesh);
+    const bool known = loop.run(
+        {i, 1}, [&] { addSamples(work); }, keptBy(work));
+    if (known) sums.insert(sums.end(), work.fixed.begin(), work.fixed.end());
+  }
+  loop.end();
+  whole.finish(true);
+  return std::ranges::all_of(sums, [](double sum) { return std::isfinite(sum); });
 }
 
 namespace {

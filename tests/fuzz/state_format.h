@@ -18,6 +18,10 @@ constexpr const char* fuzzedKind = "bake";
 /// steps. With a state it continues. `interrupt` ends it in the middle, as an interrupted run does.
 void doKeptWork(WorkKeeper& keeper, bool interrupt);
 
+/// Work whose loop processes divide (WorkShare) and whose pieces have values of every kind. Returns whether its
+/// results are finite. Throws StageEnd where pieces are missing.
+bool doDividedWork(WorkKeeper& keeper);
+
 /// Sets lengths, hashes and the record of the last commit so that a changed state gets past the checks of its
 /// file. Returns the size; other files than states stay as they are.
 std::size_t repairState(std::span<std::uint8_t> file);

@@ -45,6 +45,7 @@ Target ktx2();
 Target merl();
 Target meshopt();
 Target options();
+Target part();
 Target picture();
 Target sky();
 Target state();

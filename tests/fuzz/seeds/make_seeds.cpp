@@ -31,6 +31,7 @@ int main(int count, char** arguments) {
   addPictureSeeds(seeds);
   addTextSeeds(seeds);
   addStateSeeds(seeds);
+  addPartSeeds(seeds);
   seeds["room.glb"] = glbOf(roomToBake());
   for (const auto& [name, bytes] : seeds) {
     const std::filesystem::path path = std::filesystem::path(arguments[1]) / name;

@@ -8,6 +8,7 @@
 
 #include "base/kept_work.h"
 #include "base/state_log.h"
+#include "base/work_parts.h"
 #include "device/program_cache.h"
 #include "fuzz/seeds/seeds.h"
 #include "fuzz/state_format.h"
@@ -234,6 +235,24 @@ void addStateSeeds(Seeds& seeds) {
     seeds["state/" + path.filename().string()] = bytes;
     repaired.resize(repairState(repaired));
     seeds["state/" + path.filename().string() + "_repaired"] = repaired;
+  }
+}
+
+void addPartSeeds(Seeds& seeds) {
+  const test::TemporaryFolder folder;
+  for (const std::uint32_t slices : {1U, 2U}) {
+    const std::filesystem::path path = folder / ("1_of_" + std::to_string(slices));
+    {
+      WorkKeeper keeper(StateLog(folder / "out.state", fuzzedKind, fuzzedKey()), 0.0, true);
+      WorkSlice slice(path, fuzzedKind, fuzzedKey(), {1, slices}, {"bake", "room.glb", "--ao"});
+      keeper.divide(&slice);
+      try {
+        (void)doDividedWork(keeper);
+      } catch (const StageEnd&) {
+        // A slice ends with its stage.
+      }
+    }
+    seeds["part/" + path.filename().string()] = fileBytes(path);
   }
 }
 

@@ -30,6 +30,9 @@ void addTextSeeds(Seeds& seeds);
 /// States of runs that were interrupted at two points.
 void addStateSeeds(Seeds& seeds);
 
+/// Files of slices.
+void addPartSeeds(Seeds& seeds);
+
 /// A room of two meshes with a lamp, light-map coordinates and an animation, small enough that every
 /// technique's bake of it is.
 GltfDocument roomToBake();
