@@ -1,7 +1,7 @@
 // Preloaded library that makes system calls fail. tests/cli/faults/fault_sampling_test.cpp says how often and where.
 //
 //   PRELIGHT_FAULT: "KIND NUMBER once|forever": the call with that number (from 1) fails, alone or with all later ones. KIND is
-//       allocation, open, write or thread. Unset: nothing fails.
+//       allocation, open, write, thread, rename or read. Unset: nothing fails.
 //   PRELIGHT_FAULT_SPARES: parts of file names of libraries, separated by colons. An allocation that such a library makes itself
 //       does not fail alone: the next one of others fails in its place.
 //   PRELIGHT_FAULT_COUNTS: an existing file of one 64-bit number of calls per kind, in that order, and one of failed calls.
@@ -21,7 +21,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-enum Kind { ALLOCATION, OPEN, WRITE, THREAD, KINDS };
+enum Kind { ALLOCATION, OPEN, WRITE, THREAD, RENAME, READ, KINDS };
 
 extern void* __libc_malloc(size_t);
 extern void* __libc_calloc(size_t, size_t);
@@ -33,7 +33,7 @@ static int armed, failingKind = KINDS, forever;
 static uint64_t failingNumber;
 static char spared[256];  // parts of file names, each followed by a zero; an empty one ends them
 
-static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread"};
+static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread", "rename", "read"};
 
 // Counts a call of a kind, and returns whether it is to fail.
 static int fails(enum Kind kind) {
@@ -140,12 +140,15 @@ static int noFile(void) {
   return 1;
 }
 
-#define OPENING(type, name, failure, parameters, arguments) \
-  type name parameters {                                    \
-    static type(*real) parameters;                          \
-    if (real == NULL) real = (type(*) parameters)next(#name); \
-    return noFile() ? failure : real arguments;             \
+// Defines a function that fails where `refuses` says so.
+#define REFUSING(refuses, type, name, failure, parameters, arguments) \
+  type name parameters {                                              \
+    static type(*real) parameters;                                    \
+    if (real == NULL) real = (type(*) parameters)next(#name);         \
+    return refuses() ? failure : real arguments;                      \
   }
+
+#define OPENING(...) REFUSING(noFile, __VA_ARGS__)
 
 #define OPENING_WITH_MODE(name, parameters, arguments, last)          \
   int name parameters {                                               \
@@ -179,12 +182,7 @@ static int noRoom(void) {
   return 1;
 }
 
-#define WRITING(type, name, failure, parameters, arguments) \
-  type name parameters {                                    \
-    static type(*real) parameters;                          \
-    if (real == NULL) real = (type(*) parameters)next(#name); \
-    return noRoom() ? failure : real arguments;             \
-  }
+#define WRITING(...) REFUSING(noRoom, __VA_ARGS__)
 
 WRITING(ssize_t, write, -1, (int file, const void* bytes, size_t count), (file, bytes, count))
 WRITING(ssize_t, writev, -1, (int file, const struct iovec* parts, int count), (file, parts, count))
@@ -200,6 +198,39 @@ int fclose(FILE* file) {
   if (refused) errno = ENOSPC;
   return refused ? EOF : result;
 }
+
+// ---- renaming
+
+static int noName(void) {
+  if (!fails(RENAME)) return 0;
+  errno = EIO;
+  return 1;
+}
+
+#define RENAMING(...) REFUSING(noName, __VA_ARGS__)
+
+RENAMING(int, rename, -1, (const char* from, const char* to), (from, to))
+RENAMING(int, renameat2, -1, (int fromFolder, const char* from, int toFolder, const char* to, unsigned int flags),
+         (fromFolder, from, toFolder, to, flags))
+RENAMING(int, link, -1, (const char* from, const char* to), (from, to))
+RENAMING(int, linkat, -1, (int fromFolder, const char* from, int toFolder, const char* to, int flags),
+         (fromFolder, from, toFolder, to, flags))
+
+// ---- reads
+
+static int noData(void) {
+  if (!fails(READ)) return 0;
+  errno = EIO;
+  return 1;
+}
+
+#define READING(...) REFUSING(noData, __VA_ARGS__)
+
+READING(ssize_t, read, -1, (int file, void* bytes, size_t count), (file, bytes, count))
+READING(ssize_t, readv, -1, (int file, const struct iovec* parts, int count), (file, parts, count))
+READING(ssize_t, pread, -1, (int file, void* bytes, size_t count, off_t at), (file, bytes, count, at))
+READING(ssize_t, pread64, -1, (int file, void* bytes, size_t count, off64_t at), (file, bytes, count, at))
+READING(size_t, fread, 0, (void* bytes, size_t size, size_t count, FILE* file), (bytes, size, count, file))
 
 // ---- threads
 
