@@ -51,7 +51,8 @@ def content_of(path):
 def contents_of(folder, inputs):
     """Returns what lies in a folder beside the inputs, [path below the folder]."""
     return {str(path.relative_to(folder)): content_of(path) for path in sorted(folder.rglob("*"))
-            if path.is_file() and path.name not in inputs and not is_left_of_a_kill(path) and not path.name.endswith(".state")}
+            if path.is_file() and path.name not in inputs and not is_left_of_a_kill(path)
+            and not path.name.endswith(".state")}
 
 
 def is_left_of_a_kill(path):

@@ -35,7 +35,8 @@ class Files(unittest.TestCase):
         self.assertTrue(self.content("a.glb", glb([1.0, 2.0])))
 
     def test_brokenFiles_areFaults(self):
-        for name, data in [("a.glb", glb([1.0])[:-1]), ("b.glb", glb([float("nan")])), ("c.png", b"\x89PNG"), ("d.exr", b"")]:
+        broken = {"a.glb": glb([1.0])[:-1], "b.glb": glb([float("nan")]), "c.png": b"\x89PNG", "d.exr": b""}
+        for name, data in broken.items():
             with self.assertRaises(checks.Fault, msg=name):
                 self.content(name, data)
 

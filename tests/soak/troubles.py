@@ -8,8 +8,8 @@ import time
 
 # kind: none, call, kill, stop, memory or size; value: the failing call, seconds until the signal, or bytes of the limit.
 Trouble = collections.namedtuple("Trouble", "kind value", defaults=("none", None))
-# code: exit code, negative for a signal; output, errors: text; seconds: of wall-clock time; late: whether it was ended because it took
-# too long.
+# code: exit code, negative for a signal; output, errors: text; seconds: of wall-clock time; late: whether it was ended
+# because it took too long.
 End = collections.namedtuple("End", "code output errors seconds late")
 
 LONGEST = 180.0  # seconds that a command may take
