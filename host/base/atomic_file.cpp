@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -29,10 +30,17 @@ namespace {
 
 constexpr std::string_view prefix = ".prelight-";
 
+/// Returns what a file holds, as far as it can be read.
+std::string textOf(const std::string& path) {
+  const std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();  // unlike an iterator of the buffer it throws nothing when a read fails
+  return text.str();
+}
+
 /// Returns when a process began, in ticks since the machine's start; 0 if there is none or it is unknown.
 std::uint64_t startOf(std::uint64_t process) {
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = textOf(fmt::format("/proc/{}/stat", process));
   // The name, in brackets, may contain anything.
   const std::size_t name = text.rfind(')');
   if (name == std::string::npos) return 0;
@@ -48,8 +56,7 @@ std::uint64_t startOf(std::uint64_t process) {
 /// Returns a name that distinguishes machines, their starts, and containers, which cannot see each other's
 /// processes.
 std::string placeOfProcesses() {
-  std::ifstream file("/proc/sys/kernel/random/boot_id");
-  const std::string boot{std::istreambuf_iterator<char>(file), {}};
+  const std::string boot = textOf("/proc/sys/kernel/random/boot_id");
   std::error_code ignored;
   const fs::path names = fs::read_symlink("/proc/self/ns/pid", ignored);
   return fmt::format("{:08x}", StateHash().text(boot).text(names.string()).result() & 0xffffffffu);

@@ -47,6 +47,9 @@ std::vector<std::uint8_t> readFileBytes(const fs::path& path, const std::string&
     throw InputError(where, fmt::format("cannot read {}", path.string()), "check its permissions");
   std::vector<std::uint8_t> bytes(size);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (file.bad())
+    throw InputError(where, fmt::format("cannot read {}: the system reports an error", path.string()),
+                     "check the disk, or the connection to it");
   bytes.resize(static_cast<std::size_t>(file.gcount()));
   return bytes;
 }

@@ -52,9 +52,9 @@ def environment_of(trouble, place):
     if trouble.kind == "call":
         counts = place.spill.parent / "counts"
         counts.write_bytes(bytes(8 * 16))
-        # What Mesa and PoCL 3 do when a small allocation of theirs fails alone, no caller can notice.
+        # What Mesa, PoCL 3 and hwloc do when a call of theirs fails alone, no caller can notice.
         environment.update(LD_PRELOAD=str(place.faults), PRELIGHT_FAULT=trouble.value, PRELIGHT_FAULT_COUNTS=str(counts),
-                           PRELIGHT_FAULT_SPARES="swrast_dri:gallium:libpocl")
+                           PRELIGHT_FAULT_SPARES="swrast_dri:gallium:libpocl:libhwloc")
     return environment
 
 

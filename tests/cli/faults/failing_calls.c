@@ -3,7 +3,7 @@
 //   PRELIGHT_FAULT: "KIND NUMBER once|forever": the call with that number (from 1) fails, alone or with all later ones. KIND is
 //       allocation, open, write, thread, rename or read. Unset: nothing fails.
 //   PRELIGHT_FAULT_SPARES: parts of file names of libraries, separated by colons. An allocation that such a library makes itself
-//       does not fail alone: the next one of others fails in its place.
+//       does not fail alone: the next one of others fails in its place. Nor does a read of its own.
 //   PRELIGHT_FAULT_COUNTS: an existing file of one 64-bit number of calls per kind, in that order, and one of failed calls.
 //
 // Calls are counted from main() on, in the program `prelight` alone. Calls that the C library makes internally are not counted.
@@ -218,13 +218,14 @@ RENAMING(int, linkat, -1, (int fromFolder, const char* from, int toFolder, const
 
 // ---- reads
 
-static int noData(void) {
-  if (!fails(READ)) return 0;
+static int noData(void* caller) {
+  if ((!forever && belongsToSpared(caller)) || !fails(READ)) return 0;
   errno = EIO;
   return 1;
 }
 
-#define READING(...) REFUSING(noData, __VA_ARGS__)
+#define NO_DATA() noData(CALLER)
+#define READING(...) REFUSING(NO_DATA, __VA_ARGS__)
 
 READING(ssize_t, read, -1, (int file, void* bytes, size_t count), (file, bytes, count))
 READING(ssize_t, readv, -1, (int file, const struct iovec* parts, int count), (file, parts, count))

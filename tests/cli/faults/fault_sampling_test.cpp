@@ -94,7 +94,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
   return words;
 }
 
-class FaultSampling : public ::testing::TestWithParam<Command> {
+class FaultRuns : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string pattern = (fs::temp_directory_path() / "prelight-faults-XXXXXX").string();
@@ -157,11 +157,11 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
     make("reference @scene.glb -o 1.part --slice 1/2 --size 16x8 --spp 4", "1.part");
   }
 
-  /// Two libraries answer a small allocation that fails alone in ways that no caller can notice
+  /// Libraries answer a small allocation or a read that fails alone in ways that no caller can notice
   /// (docs/notes/robustness.md): Mesa leaves out a part of a picture, and PoCL 3 waits for ever for a lock of
-  /// its own.
+  /// its own. Where hwloc cannot read what the processor is, PoCL gives the device another name.
   void spareLibraries() {
-    spared_ = "swrast_dri:gallium";
+    spared_ = "swrast_dri:gallium:libhwloc";
     Counts ignored;
     const ProcessResult listed = run("devices --json", "", ignored);
     ASSERT_EQ(listed.exitCode, 0) << listed.errors;
@@ -174,6 +174,8 @@ class FaultSampling : public ::testing::TestWithParam<Command> {
   fs::path folder_;
   std::string spared_;  ///< parts of file names of libraries whose single allocations do not fail
 };
+
+class FaultSampling : public FaultRuns, public ::testing::WithParamInterface<Command> {};
 
 /// Places among the calls of a run. Every kind and both lengths get their share; kinds with few calls are
 /// tried at all of them.
@@ -251,6 +253,22 @@ TEST_P(FaultSampling, CallThatFails_EndsInTheAgreedWay) {
   const ProcessResult after = run(command.arguments, "", counts);
   EXPECT_EQ(after.exitCode, 0) << "the caches are spoilt\n" << after.errors;
   EXPECT_EQ(contentsOf(folder_ / "work"), whole);
+}
+
+TEST_F(FaultRuns, InputThatCannotBeRead_IsNamed) {
+  Counts calls, counts;
+  ASSERT_EQ(run("info @scene.glb", "", calls).exitCode, 0);
+  int refused = 0;
+  for (std::uint64_t number = 1; number <= calls.calls[5]; ++number) {
+    const ProcessResult result = run("info @scene.glb", "read " + std::to_string(number) + " once", counts);
+    if (result.exitCode == 0) continue;
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_THAT(result.errors,
+                ::testing::AllOf(::testing::HasSubstr("scene.glb"), ::testing::HasSubstr("cannot read"),
+                                 ::testing::HasSubstr("check the disk")));
+    ++refused;
+  }
+  EXPECT_GE(refused, 1);
 }
 
 const std::vector<Command> commands = {
