@@ -1,13 +1,10 @@
 #include "base/resumable_run.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <system_error>
 #include <utility>
+
+#include "base/file_lock.h"
 
 namespace prelight {
 
@@ -22,15 +19,6 @@ constexpr double unkeptShare = 1.0 / 5.0;  // share of the interval: work of fin
 std::chrono::steady_clock::duration duration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
       std::chrono::duration<double>(seconds));
-}
-
-/// Returns true if another run is continuing a state (StateLog).
-bool isHeld(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) return false;
-  const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(descriptor);
-  return held;
 }
 
 }  // namespace
@@ -83,7 +71,7 @@ void ResumableRun::remove() {
   progress_.reset();
   keeper_.reset();
   std::error_code ignored;
-  if (!isHeld(path_)) std::filesystem::remove(path_, ignored);
+  if (!isLockedByAnother(path_)) std::filesystem::remove(path_, ignored);
 }
 
 }  // namespace prelight

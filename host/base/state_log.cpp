@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/state_file.h"
 #include "prelight/error.h"
@@ -164,7 +164,9 @@ class StateLog::File {
   /// process is continuing the file there.
   void moveIn(const File* replaced) {
     if (!pending_) return;
-    if (replaced == nullptr || replaced->isGone()) requireFree();
+    if ((replaced == nullptr || replaced->isGone()) && isLockedByAnother(path_))
+      throw Error(ExitCode::RuntimeFailure, path_.string(), heldByAnother,
+                  "wait for that run, or write to another file");
     pending_->close();
     pending_->moveIn();
     pending_.reset();
@@ -173,7 +175,7 @@ class StateLog::File {
       throw Error(ExitCode::RuntimeFailure, path_.string(),
                   std::string("cannot write: ") + std::strerror(errno),
                   "check the folder, its permissions and free space");
-    lock();
+    lockFile(descriptor_);
   }
 
   /// Opens a file, and locks it if it is to be continued. Returns nullptr if there is none.
@@ -187,24 +189,14 @@ class StateLog::File {
       if (descriptor < 0) throw InputError(path.string(), cannotRead, startAnew);
       auto file = std::make_unique<File>(path, descriptor);
       if (access == Access::Read) return file;
-      if (!file->lock()) throw UsageError(path.string(), heldByAnother, "wait for that run, or end it");
+      if (!lockFile(descriptor))
+        throw UsageError(path.string(), heldByAnother, "wait for that run, or end it");
       // The run that had the lock may have replaced or removed the file meanwhile.
       if (!file->isGone()) return file;
     }
   }
 
-  /// Locks the file. Returns false if another process has it; file systems without locks refuse nobody.
-  bool lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
-
  private:
-  void requireFree() const {
-    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) return;
-    if (!File(path_, descriptor).lock())
-      throw Error(ExitCode::RuntimeFailure, path_.string(), heldByAnother,
-                  "wait for that run, or write to another file");
-  }
-
   fs::path path_;
   std::optional<PendingFile> pending_;
   int descriptor_ = -1;

@@ -191,4 +191,9 @@ std::size_t repairState(std::span<std::uint8_t> file) {
   return end;
 }
 
+std::size_t mutateState(std::span<std::uint8_t> buffer, std::size_t size, unsigned seed, BlindMutate blind) {
+  size = blind(buffer.data(), size, buffer.size());
+  return seed % 4 == 0 ? size : repairState(buffer.first(size));
+}
+
 }  // namespace prelight::fuzz

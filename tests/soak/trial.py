@@ -28,14 +28,14 @@ class Trial:
         self.random, self.place, self.tell = numbers.Random(seed), place, tell
         self.inputs, self.commands = set(), []
 
-    def run(self, arguments, trouble=troubles.Trouble(), refusable=False):
-        """Runs a command and checks how it ends."""
+    def run(self, arguments, trouble=troubles.Trouble(), also=()):
+        """Runs a command and checks how it ends. `also`: further exit codes that are right."""
         self.commands.append(f"prelight {shlex.join(arguments)}   # {trouble.kind} {trouble.value or ''}".rstrip())
         end = troubles.run(arguments, self.place, trouble)
         self.tell(self.commands[-1], trouble, end)
         if end.late:
             raise checks.Fault(f"no end after {troubles.LONGEST:.0f} s")
-        if not troubles.ends_as_agreed(end, trouble) and not (refusable and end.code in troubles.REFUSED):
+        if not troubles.ends_as_agreed(end, trouble) and end.code not in also:
             raise checks.Fault(f"code {end.code}\n{end.errors[-2000:]}")
         if end.code > 0 and end.code != 130 and not end.errors.strip():
             raise checks.Fault(f"code {end.code} without a message")
@@ -58,17 +58,14 @@ class Trial:
         path = self.place.folder / ("spoilt" + pathlib.Path(scene).suffix)
         shutil.copy(self.place.folder / scene, path)
         scenes.spoil(self.random, path)
-        end = troubles.run(["info", path.name], self.place)
-        self.commands.append(f"prelight info {path.name}")
-        if end.late or end.code not in (0, 3, 5):
-            raise checks.Fault(f"spoilt scene: code {end.code}\n{end.errors[-2000:]}")
+        self.run(["info", path.name], also=troubles.SPOILT)
         path.unlink()
 
     def do_work(self, work):
         """Runs a command undisturbed, in trouble and once more, and compares the results. Returns whether the scene has
         what the command needs."""
         arguments = work.arguments + (["-o", work.outputs[0]] if work.outputs else [])
-        if self.run(arguments, refusable=True).code != 0:
+        if self.run(arguments, also=troubles.REFUSED).code != 0:
             return False
         whole = self.take_away()
         if bool(work.outputs) != bool(whole):

@@ -15,6 +15,7 @@ End = collections.namedtuple("End", "code output errors seconds late")
 LONGEST = 180.0  # seconds that a command may take
 CALLS = {"allocation": 200000, "open": 400, "write": 200, "thread": 12, "rename": 4, "read": 400}
 REFUSED = {2, 3}  # the command as a whole does not suit its scene
+SPOILT = {3, 5}  # a scene that is damaged
 AGREED = {0, 1, 3, 4, 5}
 
 

@@ -32,6 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 6> kinds = {"allocation", "open", "write", "thread", "rename", "read"};
+constexpr std::size_t readKind = 5;
 constexpr std::array<const char*, 2> lengths = {"once", "forever"};
 
 /// Number of calls of each kind in a run, and of failed calls.
@@ -207,9 +208,10 @@ const std::set<int> agreed = {0, 1, 3, 4, 5};
 /// Prints how often runs ended with each code, for people to read.
 void printTable(const Command& command, const Counts& calls,
                 const std::map<std::string, std::map<int, int>>& ends) {
-  std::cout << command.name << ": " << calls.calls[0] << " allocations, " << calls.calls[1] << " opens, "
-            << calls.calls[2] << " writes, " << calls.calls[3] << " threads, " << calls.calls[4]
-            << " renames, " << calls.calls[5] << " reads\n";
+  std::cout << command.name << ":";
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+    std::cout << (kind > 0 ? ", " : " ") << calls.calls[kind] << " " << kinds[kind] << "s";
+  std::cout << "\n";
   for (const auto& [what, codes] : ends) {
     std::cout << "  " << what << ":";
     for (const auto& [code, count] : codes) std::cout << "  code " << code << " " << count << "x";
@@ -233,7 +235,7 @@ TEST_P(FaultSampling, CallThatFails_EndsInTheAgreedWay) {
     EXPECT_EQ(agreed.count(result.exitCode), 1u) << "code " << result.exitCode << "\n" << result.errors;
     const std::map<std::string, std::string> left = contentsOf(folder_ / "work");
     for (const auto& [name, bytes] : left) {
-      // What another run continues may stay.
+      // A state or a part may stay, for another run to continue it.
       if (result.exitCode != 0 && (name.ends_with(".state") || name.ends_with(".part"))) continue;
       const auto expected = whole.find(name);
       if (expected == whole.end()) {
@@ -259,7 +261,7 @@ TEST_F(FaultRuns, InputThatCannotBeRead_IsNamed) {
   Counts calls, counts;
   ASSERT_EQ(run("info @scene.glb", "", calls).exitCode, 0);
   int refused = 0;
-  for (std::uint64_t number = 1; number <= calls.calls[5]; ++number) {
+  for (std::uint64_t number = 1; number <= calls.calls[readKind]; ++number) {
     const ProcessResult result = run("info @scene.glb", "read " + std::to_string(number) + " once", counts);
     if (result.exitCode == 0) continue;
     EXPECT_EQ(result.exitCode, 3);

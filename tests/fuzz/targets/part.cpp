@@ -1,7 +1,4 @@
 // Parts of divided work: the file of a slice, and the work that takes pieces from it.
-#include <filesystem>
-#include <string>
-
 #include "base/work_parts.h"
 #include "fuzz/scratch_file.h"
 #include "fuzz/state_format.h"
@@ -11,19 +8,12 @@ namespace prelight::fuzz {
 
 namespace {
 
-/// Three of four inputs get right lengths and hashes, so that what follows these is read.
-std::size_t mutatePart(std::span<std::uint8_t> buffer, std::size_t size, unsigned seed, BlindMutate blind) {
-  size = blind(buffer.data(), size, buffer.size());
-  return seed % 4 == 0 ? size : repairState(buffer.first(size));
-}
-
 void readPart(Bytes input) {
   const ScratchFile file("1.part", input);
   const PartTitle title = readPartTitle(file.path());
   require(title.slice.index >= 1 && title.slice.index <= title.slice.count, "slices are counted from 1");
-  const ScratchFile state("out.glb.state", {});
-  std::filesystem::remove(state.path());
-  WorkKeeper keeper(StateLog(state.path(), fuzzedKind, fuzzedKey()), 1e9);
+  const ScratchFolder folder;
+  WorkKeeper keeper(StateLog(folder / "out.glb.state", fuzzedKind, fuzzedKey()), 1e9);
   GivenParts parts({file.path()}, fuzzedKind, fuzzedKey(), false);
   keeper.divide(&parts);
   try {
@@ -35,6 +25,6 @@ void readPart(Bytes input) {
 
 }  // namespace
 
-Target part() { return {"part", readPart, mutatePart}; }
+Target part() { return {"part", readPart, mutateState}; }
 
 }  // namespace prelight::fuzz

@@ -1,6 +1,4 @@
 // States of interrupted runs: the file, and the work that goes on from what it holds.
-#include <algorithm>
-
 #include "base/kept_work.h"
 #include "base/state_log.h"
 #include "fuzz/scratch_file.h"
@@ -10,12 +8,6 @@
 namespace prelight::fuzz {
 
 namespace {
-
-/// Three of four inputs get right lengths and hashes, so that what follows these is read.
-std::size_t mutateState(std::span<std::uint8_t> buffer, std::size_t size, unsigned seed, BlindMutate blind) {
-  size = blind(buffer.data(), size, buffer.size());
-  return seed % 4 == 0 ? size : repairState(buffer.first(size));
-}
 
 void readAll(const StateLog& log) {
   for (const std::string& name : log.names()) (void)log.read(name);
