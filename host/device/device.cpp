@@ -86,7 +86,7 @@ Device Device::open(const DeviceOptions& options) {
   const FoundDevice& chosen = choose(devices, options.selector);
   if (const auto warning = poclCacheWarning(); warning && chosen.info.isPocl && options.progress != nullptr)
     options.progress->warn(*warning);
-  chooseWorkingPoclMethod(chosen.info);
+  configurePocl(chosen.info);
   try {
     return Device(std::make_unique<DeviceContext>(
         std::make_unique<OpenClContext>(chosen.device, chosen.info, options)));

@@ -20,11 +20,13 @@ std::string neededPoclMethod(const DeviceInfo& info) {
   return info.isPocl && info.driverVersion.starts_with("6.") ? "cbs" : "";
 }
 
-void chooseWorkingPoclMethod(const DeviceInfo& info) {
+void configurePocl(const DeviceInfo& info) {
+  if (!info.isPocl) return;
   static std::mutex setting;
   const std::lock_guard lock(setting);
   const std::string method = neededPoclMethod(info);
   if (!method.empty()) ::setenv("POCL_WORK_GROUP_METHOD", method.c_str(), 0);
+  ::setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
 }
 
 namespace fs = std::filesystem;

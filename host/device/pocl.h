@@ -13,8 +13,11 @@ namespace prelight {
 /// instructions, and LLVM aborts for kernels that need more. The method "cbs" is as fast.
 std::string neededPoclMethod(const DeviceInfo& info);
 
-/// Sets the variable to neededPoclMethod() unless it is set. PoCL reads it at every compilation.
-void chooseWorkingPoclMethod(const DeviceInfo& info);
+/// Sets variables of the environment that PoCL reads at every compilation and launch, unless they are set:
+/// POCL_WORK_GROUP_METHOD to neededPoclMethod(), and POCL_WORK_GROUP_SPECIALIZATION to 0. PoCL otherwise compiles
+/// each kernel again at its first launch, for the launch's group size, and once more for launches of more than
+/// 65535 work-items; that code is no faster, and a crash of the compiler there would end the calling program.
+void configurePocl(const DeviceInfo& info);
 
 /// Returns why PoCL cannot keep compiled kernels in a folder, in a few words, or nothing if it can. A missing
 /// folder is judged by the parent that it would be created in. Leaves no files behind.

@@ -53,6 +53,14 @@ class CliRuntimeFaults : public CliTest {
     return count;
   }
 
+  /// Number of times that PoCL has compiled each kernel, by the kernel's folder in PoCL's cache.
+  std::map<std::string, int> timesCompiled() const {
+    std::map<std::string, int> times;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(cache_))
+      if (entry.path().extension() == ".so") ++times[entry.path().parent_path().parent_path()];
+    return times;
+  }
+
   const std::vector<std::string> bake_{"bake", "scene.glb", "-o", "out.glb", "--ao", "--rays", "16"};
 
   std::vector<std::string> quietBake() const {
@@ -73,6 +81,13 @@ TEST_F(CliRuntimeFaults, FirstRun_SaysThatKernelsAreCompiled_TheSecondDoesNot) {
   EXPECT_THAT(first.errors, MatchesRegex("(.|\n)*prelight: compiled [0-9]+ kernel programs in [0-9.]+ s\n"));
   EXPECT_THAT(first.errors, Not(HasSubstr("warning"))) << "those of the compiler concern nobody";
   EXPECT_THAT(prelightDone(bake, cold()).errors, IsEmpty());
+}
+
+TEST_F(CliRuntimeFaults, FirstRun_CompilesEachKernelOnce) {
+  prelightDone(quietBake(), cold());
+  const std::map<std::string, int> times = timesCompiled();
+  if (times.empty()) GTEST_SKIP() << "the device is not PoCL's";
+  for (const auto& [kernel, count] : times) EXPECT_EQ(count, 1) << kernel;
 }
 
 TEST_F(CliRuntimeFaults, FirstRun_WithQuiet_WritesNothing) {

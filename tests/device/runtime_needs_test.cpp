@@ -152,10 +152,10 @@ TEST(PoclMethod, OfVersion6_IsTheOneThatDoesNotCrash) {
   EXPECT_EQ(neededPoclMethod(info), "cbs");
   EXPECT_EQ(inOwnProcess([&] {
               ::unsetenv("POCL_WORK_GROUP_METHOD");
-              chooseWorkingPoclMethod(info);
+              configurePocl(info);
               if (std::string(::getenv("POCL_WORK_GROUP_METHOD")) != "cbs") return 1;
               ::setenv("POCL_WORK_GROUP_METHOD", "loopvec", 1);
-              chooseWorkingPoclMethod(info);
+              configurePocl(info);
               return std::string(::getenv("POCL_WORK_GROUP_METHOD")) == "loopvec" ? 0 : 2;
             }),
             0);
@@ -166,6 +166,23 @@ TEST(PoclMethod, OfVersion6_IsTheOneThatDoesNotCrash) {
   info.isPocl = false;
   info.driverVersion = "6.0";
   EXPECT_EQ(neededPoclMethod(info), "");
+}
+
+TEST(PoclKernels, AreCompiledForAllGroupSizesAtOnceUnlessTheUserChooses) {
+  constexpr const char* variable = "POCL_WORK_GROUP_SPECIALIZATION";
+  DeviceInfo info;
+  EXPECT_EQ(inOwnProcess([&] {
+              ::unsetenv(variable);
+              configurePocl(info);
+              if (::getenv(variable) != nullptr) return 1;
+              info.isPocl = true;
+              configurePocl(info);
+              if (std::string(::getenv(variable)) != "0") return 2;
+              ::setenv(variable, "1", 1);
+              configurePocl(info);
+              return std::string(::getenv(variable)) == "1" ? 0 : 3;
+            }),
+            0);
 }
 
 TEST(Threads, AsManyAsTheSystemGives_AreNoError) { EXPECT_NO_THROW(requireThreads(8)); }
