@@ -22,7 +22,7 @@ set_target_properties(prelight PROPERTIES INSTALL_RPATH $ORIGIN/prelight)  # whe
 install(TARGETS ${programs} RUNTIME COMPONENT program OPTIONAL)
 install(TARGETS prelight_images prelight_png prelight_draco
   LIBRARY DESTINATION ${PRELIGHT_INSTALLED_MODULE_DIR} COMPONENT program)
-install(TARGETS prelight_compiler RUNTIME DESTINATION ${PRELIGHT_INSTALLED_MODULE_DIR} COMPONENT program)
+install(TARGETS prelight_compiler prelight_decoder RUNTIME DESTINATION ${PRELIGHT_INSTALLED_MODULE_DIR} COMPONENT program)
 install(FILES ${PRELIGHT_PAGES}/prelight.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
 install(FILES ${PRELIGHT_PAGES}/bash/prelight
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program OPTIONAL)

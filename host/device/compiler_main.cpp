@@ -1,12 +1,8 @@
 // The program prelight-compiler, which the library starts to compile kernels (device/compiler_process.h). A
 // compiler that crashes ends this process instead of the one that bakes or draws.
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -16,6 +12,7 @@
 #include "base/large_stack.h"
 #include "device/compile_channel.h"
 #include "device/opencl_devices.h"
+#include "processes/channel.h"
 
 namespace prelight {
 
@@ -50,16 +47,8 @@ std::string compile(const cl::Context& context, const cl::Device& device, const 
   }
 }
 
-/// Waits for a job. Returns false when none arrives for so long that this process should release its memory.
-bool awaitJob(int channel) {
-  constexpr int patience = 2000;  // ms
-  pollfd job{channel, POLLIN, 0};
-  int ready = 0;
-  do {
-    ready = ::poll(&job, 1, patience);
-  } while (ready < 0 && errno == EINTR);
-  return ready > 0;
-}
+/// How long the process waits for a job before it releases its memory, in ms.
+constexpr int patience = 2000;
 
 /// Answers jobs until the library closes its end. Returns the exit code.
 int serve(int channel) {
@@ -72,24 +61,12 @@ int serve(int channel) {
   }
   const cl::Context context(*device);
   if (!sendText(channel, "")) return 0;
-  while (awaitJob(channel)) {
+  while (awaitData(channel, patience)) {
     const std::optional<std::string> options = receiveText(channel);
     const std::optional<std::string> source = options ? receiveText(channel) : std::nullopt;
     if (!source || !sendText(channel, compile(context, *device, *options, *source))) return 0;
   }
   return 0;
-}
-
-/// Moves the socket on standard input to another descriptor, where no library reads or writes. Returns -1 if
-/// standard input is no socket.
-int takeChannel() {
-  int type = 0;
-  socklen_t size = sizeof(type);
-  if (::getsockopt(STDIN_FILENO, SOL_SOCKET, SO_TYPE, &type, &size) != 0) return -1;
-  const int channel = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
-  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
-  return channel;
 }
 
 int run() {

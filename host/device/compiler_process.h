@@ -1,11 +1,11 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "prelight/device.h"
+#include "processes/child_process.h"
 
 namespace prelight {
 
@@ -37,9 +37,6 @@ struct CompileAnswer {
 class CompilerProcess {
  public:
   explicit CompilerProcess(const DeviceInfo& device);
-  ~CompilerProcess();
-  CompilerProcess(const CompilerProcess&) = delete;
-  CompilerProcess& operator=(const CompilerProcess&) = delete;
 
   /// Compiles a program and waits for it. Calls `goOn` ten times per second meanwhile; if that returns false,
   /// the compiler is ended and the answer is Stopped.
@@ -47,23 +44,16 @@ class CompilerProcess {
 
  private:
   bool start(const std::function<bool()>& goOn);
-  /// Returns whether the idle process has ended since its last job.
-  bool hasLeft() const;
   /// Sends a job and receives its answer. Returns false when the process has ended or `goOn` returned false.
   bool exchange(const CompileJob& job, const std::function<bool()>& goOn, std::string& answer);
-  bool spawn(const std::string& program, int channel, int errors);
   /// Waits for the next text. Returns false as exchange() does.
   bool await(const std::function<bool()>& goOn, std::string& text);
   CompileAnswer giveUp();
   /// Returns how the process ended, Unavailable if it ended by itself.
   CompileAnswer tellDeath();
-  void end();
 
   std::string device_;
-  pid_t process_ = -1;
-  int channel_ = -1;
-  int errors_ = -1;  ///< in-memory file that receives the process's stderr
-  bool busy_ = false;
+  std::optional<ChildProcess> process_;
   bool stopped_ = false;
   bool unavailable_ = false;
 };

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstring>
 #include <exception>
+#include <stdexcept>
 
 #include "prelight/error.h"
 
@@ -61,14 +62,34 @@ bool isPlain(const Imf::InputFile& file) {
   return found == static_cast<int>(names.size());
 }
 
-std::optional<Pixels> read(const std::filesystem::path& path) {
-  Imf::InputFile file(path.c_str());
+/// Bytes that OpenEXR reads.
+class ExrSource final : public Imf::IStream {
+ public:
+  explicit ExrSource(std::span<const std::uint8_t> bytes) : IStream("memory"), bytes_(bytes) {}
+
+  bool read(char out[], int size) override {
+    const auto count = static_cast<std::size_t>(size);
+    if (at_ > bytes_.size() || count > bytes_.size() - at_) throw std::runtime_error("cut short");
+    std::memcpy(out, bytes_.data() + at_, count);
+    at_ += count;
+    return at_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = position; }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::uint64_t at_ = 0;
+};
+
+std::optional<Pixels> decode(std::span<const std::uint8_t> bytes) {
+  ExrSource source(bytes);
+  Imf::InputFile file(source);
   if (!isPlain(file)) return std::nullopt;
   const Imath::V2i last = file.header().dataWindow().max;
   const auto width = static_cast<std::uint64_t>(last.x) + 1, height = static_cast<std::uint64_t>(last.y) + 1;
   const std::uint64_t texels = width * height;
-  if (texels > mostPictureTexels || 3 * texels > mostNumbers(std::filesystem::file_size(path)))
-    return std::nullopt;
+  if (texels > mostPictureTexels || 3 * texels > mostNumbers(bytes.size())) return std::nullopt;
   Pixels pixels{last.x + 1, last.y + 1, std::vector<glm::vec3>(texels)};
   Imf::FrameBuffer buffer;
   for (int c = 0; c < 3; ++c)
@@ -82,9 +103,9 @@ std::optional<Pixels> read(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::optional<Pixels> readPlainExr(const std::filesystem::path& path) {
+std::optional<Pixels> decodePlainExr(std::span<const std::uint8_t> bytes) {
   try {
-    return read(path);
+    return decode(bytes);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {

@@ -63,9 +63,9 @@ std::vector<std::byte> encodeExrFile(const std::filesystem::path& shown, std::si
 /// Error about `shown`.
 std::vector<std::byte> encodePlainExr(const std::filesystem::path& shown, const Picture& picture);
 
-/// Reads an .exr file of one part in scanlines with only R, G and B. Returns nullopt for other files and for
-/// broken, truncated or too large ones. Throws std::bad_alloc.
-std::optional<Pixels> readPlainExr(const std::filesystem::path& path);
+/// Decodes an .exr file of one part in scanlines with only R, G and B. Returns nullopt for other files and
+/// for broken, truncated or too large ones. Throws std::bad_alloc.
+std::optional<Pixels> decodePlainExr(std::span<const std::uint8_t> bytes);
 
 /// One part of a multi-part .exr file.
 struct ExrPart {

@@ -16,13 +16,15 @@ namespace prelight {
 /// load. It is therefore linked into a module that is loaded at the first use; most commands read and write
 /// no picture that needs it.
 struct ImageLibrary {
-  /// These implement the functions of the same names, which check the arguments.
-  Pixels (*readPixels)(const std::filesystem::path& path, PictureFormat format);
-  PictureLayers (*readPictureLayers)(const std::filesystem::path& path);
-  std::vector<std::uint8_t> (*encodePng)(const Image& image, int channels);
-
-  /// Errors mention `where`.
+  // Errors of the first three mention `where`.
+  Pixels (*decodePixels)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
+  PictureLayers (*decodeLayers)(std::span<const std::uint8_t> bytes, const std::string& where);
   Image (*decodeImage)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
+
+  /// Has OpenImageIO start no threads of its own from now on.
+  void (*useOneThread)();
+
+  std::vector<std::uint8_t> (*encodePng)(const Image& image, int channels);
 
   /// Returns the bytes of a file with 8-bit RGB, [row][column]; OpenImageIO does not report all failures when
   /// it writes a file itself. Throws Error about `shown`.

@@ -7,7 +7,7 @@
 
 #include "images/basis/ktx2.h"
 #include "images/image_library.h"
-#include "images/plain_png.h"
+#include "images/picture_decoding.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -62,9 +62,7 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where)
   if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG, WebP, AVIF or KTX2 picture");
   checkExtent(bytes, where);
   if (format == PictureFormat::Ktx2) return decodeKtx2(bytes, where);
-  if (format == PictureFormat::Png)
-    if (std::optional<Image> plain = decodePlainPng(bytes)) return *std::move(plain);
-  return imageLibrary().decodeImage(bytes, format, where);
+  return decodeTexels(bytes, format, where);
 }
 
 std::vector<std::uint8_t> encodePng(const Image& image, PngChannels channels) {

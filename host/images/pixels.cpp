@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "base/files.h"
-#include "images/exr.h"
 #include "images/exr_header.h"
-#include "images/image_library.h"
 #include "images/picture_codecs.h"
+#include "images/picture_decoding.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -40,9 +39,7 @@ void checkHdrHeader(const std::filesystem::path& path) {
 Pixels readPixels(const std::filesystem::path& path) {
   const PictureFormat format = requirePictureFile(
       path, {PictureFormat::Exr, PictureFormat::Hdr, PictureFormat::Png, PictureFormat::Jpeg});
-  if (format == PictureFormat::Exr)
-    if (std::optional<Pixels> plain = readPlainExr(path)) return *std::move(plain);
-  return imageLibrary().readPixels(path, format);
+  return decodePixels(readFileBytes(path, path.string()), format, path.string());
 }
 
 PictureFormat requirePictureFile(const std::filesystem::path& path,
@@ -79,7 +76,7 @@ const PictureChannel* PictureLayers::find(std::string_view name) const {
 
 PictureLayers readPictureLayers(const std::filesystem::path& path) {
   requirePictureFile(path, {PictureFormat::Exr});
-  return imageLibrary().readPictureLayers(path);
+  return decodeLayers(readFileBytes(path, path.string()), path.string());
 }
 
 }  // namespace prelight

@@ -74,7 +74,8 @@ class CliRuntimeFaults : public CliTest {
 };
 
 TEST_F(CliRuntimeFaults, FirstRun_SaysThatKernelsAreCompiled_TheSecondDoesNot) {
-  prelightDone({"scene", "shapes", "-o", "shapes.glb"});  // whose triangles are small enough to say nothing of
+  prelightDone(
+      {"scene", "shapes", "-o", "shapes.glb"});  // whose triangles are small enough to say nothing of
   const std::vector<std::string> bake{"bake", "shapes.glb", "-o", "out.glb", "--ao", "--rays", "16"};
   const ProcessResult first = prelightDone(bake, cold());
   EXPECT_THAT(first.errors, HasSubstr("prelight: compiling kernels"));
@@ -109,6 +110,22 @@ TEST_F(CliRuntimeFaults, CompilerThatCrashes_EndsWithOneErrorAndNoOutput) {
   expectFailure(failed, quietBake(),
                 {"_kernels.cl: the compiler of ", "LLVM ERROR: made up by a test", "--device"},
                 faulty("FAULT_COMPILER", "crash"));
+}
+
+/// A picture of one pixel.
+const std::string png(
+    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\001\000\000\000\001\010"
+    "\006\000\000\000\037\025\304\211\000\000\000\015\111\104\101\124\170\332\143\144\370\317\120\017\000"
+    "\003\206\001\200\132\064\175\153\000\000\000\000\111\105\116\104\256\102\140\202",
+    70);
+
+TEST_F(CliRuntimeFaults, DecoderThatCrashes_IsAnErrorOfTheFileAndEndsNothingElse) {
+  writeFile("a.png", png);
+  const std::vector<std::string> compare{"compare", "a.png", "a.png"};
+  ProcessOptions crash{.environment = {{"LD_PRELOAD", FAULTY_RUNTIME}, {"FAULT_DECODER", "crash"}}};
+  expectFailure(badInput, compare, {"a.png: its decoder crashed", "damaged"}, crash);
+  crash.environment["PRELIGHT_SANDBOX"] = "0";
+  EXPECT_NE(prelight(compare, crash).exitCode, badInput) << "the decoder is a part of the command then";
 }
 
 TEST_F(CliRuntimeFaults, CompilerThatIsKilled_IsOutOfMemory) {

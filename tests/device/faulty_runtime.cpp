@@ -1,5 +1,6 @@
-// Preloaded library that makes kernel compilers and threads of a program under test fail.
+// Preloaded library that makes kernel compilers, decoders and threads of a program under test fail.
 //   FAULT_COMPILER=crash|kill|hang: effect of compiling a source; binaries are accepted as usual.
+//   FAULT_DECODER=crash|kill|hang: effect of reading the header of a PNG.
 //   FAULT_THREAD=N: the Nth thread and all later ones cannot be created.
 #include <dlfcn.h>
 #include <pthread.h>
@@ -48,6 +49,12 @@ cl_int clBuildProgram(cl_program program, cl_uint count, const cl_device_id* dev
   const char* fault = std::getenv("FAULT_COMPILER");
   if (fault != nullptr && hasSource(program)) fail(fault);
   return next<decltype(clBuildProgram)>("clBuildProgram")(program, count, devices, options, notify, data);
+}
+
+void png_read_info(void* png, void* info) {
+  const char* fault = std::getenv("FAULT_DECODER");
+  if (fault != nullptr) fail(fault);
+  next<void(void*, void*)>("png_read_info")(png, info);
 }
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),

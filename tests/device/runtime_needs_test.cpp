@@ -4,7 +4,6 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -17,23 +16,16 @@
 #include "device/pocl.h"
 #include "device/thread_check.h"
 #include "prelight/error.h"
+#include "support/own_process.h"
 
 namespace prelight {
 namespace {
 
 namespace fs = std::filesystem;
 
+using test::inOwnProcess;
 using ::testing::HasSubstr;
 using ::testing::Optional;
-
-/// Runs `body` in a process of its own, whose limits and mounts end with it. Returns the result of `body`.
-int inOwnProcess(const std::function<int()>& body) {
-  const pid_t process = ::fork();
-  if (process == 0) ::_exit(body());
-  int status = 0;
-  ::waitpid(process, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 class PoclCache : public ::testing::Test {
  protected:

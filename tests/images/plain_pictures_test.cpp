@@ -98,10 +98,11 @@ TEST_F(PlainPictures, PngOfAnotherKindOrBroken_IsLeft) {
 TEST_F(PlainPictures, Exr_IsAsOpenImageIoHasIt) {
   for (const OIIO::TypeDesc type : {OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::HALF})
     for (const char* compression : {"none", "zip", "piz", "dwab:100"}) {
-      const auto path = write("a.exr", 3, type, [&](auto& spec) { spec["compression"] = compression; });
-      const std::optional<Pixels> plain = readPlainExr(path);
+      const std::vector<std::uint8_t> bytes =
+          bytesOf(write("a.exr", 3, type, [&](auto& spec) { spec["compression"] = compression; }));
+      const std::optional<Pixels> plain = decodePlainExr(bytes);
       ASSERT_TRUE(plain) << compression;
-      const Pixels expected = imageLibrary().readPixels(path, PictureFormat::Exr);
+      const Pixels expected = imageLibrary().decodePixels(bytes, PictureFormat::Exr, "a.exr");
       EXPECT_EQ(plain->width, width);
       EXPECT_EQ(plain->height, height);
       EXPECT_EQ(plain->rgb, expected.rgb) << compression;
@@ -109,16 +110,16 @@ TEST_F(PlainPictures, Exr_IsAsOpenImageIoHasIt) {
 }
 
 TEST_F(PlainPictures, ExrOfAnotherKindOrBroken_IsLeft) {
-  EXPECT_FALSE(readPlainExr(write("b.exr", 4, OIIO::TypeDesc::FLOAT)));
-  EXPECT_FALSE(readPlainExr(write("c.exr", 1, OIIO::TypeDesc::FLOAT)));
-  EXPECT_FALSE(readPlainExr(write("d.exr", 3, OIIO::TypeDesc::FLOAT,
-                                  [](OIIO::ImageSpec& spec) { spec.tile_width = spec.tile_height = 16; })));
-  EXPECT_FALSE(readPlainExr(
-      write("e.exr", 3, OIIO::TypeDesc::FLOAT, [](OIIO::ImageSpec& spec) { spec.full_width = 2 * width; })));
-  const auto path = write("f.exr", 3, OIIO::TypeDesc::FLOAT);
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
-  EXPECT_FALSE(readPlainExr(path));
-  EXPECT_FALSE(readPlainExr(folder_ / "missing.exr"));
+  EXPECT_FALSE(decodePlainExr(bytesOf(write("b.exr", 4, OIIO::TypeDesc::FLOAT))));
+  EXPECT_FALSE(decodePlainExr(bytesOf(write("c.exr", 1, OIIO::TypeDesc::FLOAT))));
+  EXPECT_FALSE(decodePlainExr(bytesOf(write("d.exr", 3, OIIO::TypeDesc::FLOAT, [](OIIO::ImageSpec& spec) {
+    spec.tile_width = spec.tile_height = 16;
+  }))));
+  EXPECT_FALSE(decodePlainExr(bytesOf(
+      write("e.exr", 3, OIIO::TypeDesc::FLOAT, [](OIIO::ImageSpec& spec) { spec.full_width = 2 * width; }))));
+  const std::vector<std::uint8_t> bytes = bytesOf(write("f.exr", 3, OIIO::TypeDesc::FLOAT));
+  for (std::size_t size = 0; size < bytes.size(); size += 7)
+    EXPECT_FALSE(decodePlainExr(std::span(bytes).first(size))) << size;
 }
 
 }  // namespace

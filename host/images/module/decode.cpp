@@ -1,5 +1,3 @@
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <avif/avif.h>
 #include <fmt/format.h>
 
@@ -68,20 +66,8 @@ void spreadChannels(const std::vector<std::uint8_t>& from, int channels, std::ve
 
 Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where) {
   if (format == PictureFormat::Avif) return decodeAvif(bytes, where);
-  OIIO::Filesystem::IOMemReader memory(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
-  OIIO::Filesystem::IOProxy* proxy = &memory;
-  OIIO::ImageSpec wishes;
-  // The readers take the proxy from the configuration and ignore the one passed to open().
-  wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const char* reader = readerOf(format);
-  const std::unique_ptr<OIIO::ImageInput> input =
-      OIIO::ImageInput::create(reader, false, &wishes, &memory, std::string_view());
-  if (!input) throw InputError(where, "cannot decode the picture: " + OIIO::geterror());
-  OIIO::ImageSpec spec;
-  // The name only selects the reader; no such file is opened.
-  if (!input->open(std::string("x.") + reader, spec, wishes))
-    throw InputError(where, "cannot decode the picture: " + input->geterror());
+  const OpenPicture picture(bytes, format, where);
+  const OIIO::ImageSpec& spec = picture.spec();
   const std::int64_t texels = std::int64_t{spec.width} * spec.height;
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 ||
       static_cast<std::uint64_t>(texels) > mostPictureTexels) {
@@ -90,8 +76,8 @@ Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, con
   }
   const int channels = std::min(spec.nchannels, 4);
   std::vector<std::uint8_t> stored(static_cast<std::size_t>(texels) * static_cast<std::size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, stored.data())) {
-    throw InputError(where, "cannot decode the picture: " + input->geterror());
+  if (!picture.input().read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, stored.data())) {
+    throw InputError(where, "cannot decode the picture: " + picture.input().geterror());
   }
   Image image;
   image.width = spec.width;

@@ -2,8 +2,8 @@
 
 extern "C" const prelight::ImageLibrary* prelightImageLibrary() {
   namespace images = prelight::images;
-  static constexpr prelight::ImageLibrary library{images::readPixels, images::readPictureLayers,
-                                                  images::encodePng, images::decodeImage,
-                                                  images::encodePicturePng};
+  static constexpr prelight::ImageLibrary library{images::decodePixels, images::decodeLayers,
+                                                  images::decodeImage,  images::useOneThread,
+                                                  images::encodePng,    images::encodePicturePng};
   return &library;
 }

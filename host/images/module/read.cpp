@@ -1,10 +1,8 @@
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <system_error>
 
 #include "images/module/functions.h"
 #include "prelight/error.h"
@@ -29,13 +27,13 @@ std::array<int, 3> colorChannels(const OIIO::ImageSpec& spec) {
   return {0, 0, 0};
 }
 
-void checkSize(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+void checkSize(const OIIO::ImageSpec& spec, const std::string& where) {
   const std::int64_t texels = std::int64_t{spec.width} * spec.height;
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1) {
-    throw InputError(path.string(), "is not a two-dimensional picture");
+    throw InputError(where, "is not a two-dimensional picture");
   }
   if (texels > maxTexels) {
-    throw InputError(path.string(),
+    throw InputError(where,
                      std::to_string(spec.width) + "x" + std::to_string(spec.height) +
                          " texels are more than " + std::to_string(maxTexels),
                      "scale the picture down");
@@ -44,17 +42,17 @@ void checkSize(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
 
 }  // namespace
 
-void checkNumbers(const std::filesystem::path& path, std::uint64_t numbers) {
-  std::error_code error;
-  const std::uint64_t bytes = std::filesystem::file_size(path, error);
-  if (error) throw InputError(path.string(), "cannot be read: " + error.message());
+void checkNumbers(std::uint64_t bytes, std::uint64_t numbers, const std::string& where) {
   if (numbers > mostNumbers(bytes))
-    throw InputError(path.string(),
+    throw InputError(where,
                      "claims " + std::to_string(numbers) + " numbers in " + std::to_string(bytes) +
                          " bytes, expected at most " + std::to_string(mostNumbers(bytes)),
                      "the file is damaged, or scale the picture down");
 }
 
+namespace {
+
+/// Returns OpenImageIO's name of a format. When it is named, only that format's reader is tried.
 const char* readerOf(PictureFormat format) {
   switch (format) {
     case PictureFormat::Png:
@@ -72,17 +70,36 @@ const char* readerOf(PictureFormat format) {
   }
 }
 
-Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
-  OIIO::ImageSpec hints;
-  hints.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::create(readerOf(format));
-  if (!input) throw InputError(path.string(), "cannot be read as a picture: " + OIIO::geterror());
-  OIIO::ImageSpec spec;
-  if (!input->open(path.string(), spec, hints))
-    throw InputError(path.string(), "cannot be read as a picture: " + input->geterror());
-  checkSize(path, spec);
-  checkNumbers(path, static_cast<std::uint64_t>(std::int64_t{spec.width} *
-                                                std::max(spec.height, linesAtOnce) * spec.nchannels));
+}  // namespace
+
+OpenPicture::OpenPicture(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where)
+    : memory_(const_cast<std::uint8_t*>(bytes.data()), bytes.size()) {
+  OIIO::Filesystem::IOProxy* proxy = &memory_;
+  OIIO::ImageSpec wishes;
+  // The readers take the proxy from the configuration and ignore the one passed to open().
+  wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  const char* reader = readerOf(format);
+  input_ = OIIO::ImageInput::create(reader, false, &wishes, &memory_, std::string_view());
+  if (!input_) throw InputError(where, "cannot decode the picture: " + OIIO::geterror());
+  // The name only selects the reader; no such file is opened.
+  if (!input_->open(std::string("x.") + reader, spec_, wishes))
+    throw InputError(where, "cannot decode the picture: " + input_->geterror());
+}
+
+void useOneThread() {
+  OIIO::attribute("threads", 1);
+  OIIO::attribute("exr_threads", -1);
+}
+
+Pixels decodePixels(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where) {
+  const OpenPicture picture(bytes, format, where);
+  const OIIO::ImageSpec& spec = picture.spec();
+  checkSize(spec, where);
+  checkNumbers(bytes.size(),
+               static_cast<std::uint64_t>(std::int64_t{spec.width} * std::max(spec.height, linesAtOnce) *
+                                          spec.nchannels),
+               where);
 
   const auto rgb = colorChannels(spec);
   const int first = *std::min_element(rgb.begin(), rgb.end());
@@ -90,8 +107,8 @@ Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
   const int channels = end - first;
   const std::size_t texels = static_cast<std::size_t>(spec.width) * spec.height;
   const auto readInto = [&](float* values) {
-    if (!input->read_image(0, 0, first, end, OIIO::TypeDesc::FLOAT, values))
-      throw InputError(path.string(), "broken or cut short: " + input->geterror());
+    if (!picture.input().read_image(0, 0, first, end, OIIO::TypeDesc::FLOAT, values))
+      throw InputError(where, "broken or cut short: " + picture.input().geterror());
   };
   if (std::is_sorted(rgb.begin(), rgb.end()) && channels == 3) {  // needs half the memory
     Pixels pixels{spec.width, spec.height, std::vector<glm::vec3>(texels)};
@@ -111,11 +128,12 @@ namespace {
 
 constexpr int maxSide = 1 << 14, maxChannels = 256;
 
-void readPart(const std::filesystem::path& path, OIIO::ImageInput& input, int part, PictureLayers& layers) {
+void readPart(OIIO::ImageInput& input, std::uint64_t bytes, int part, PictureLayers& layers,
+              const std::string& where) {
   const OIIO::ImageSpec spec = input.spec(part);
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.width > maxSide ||
       spec.height > maxSide || spec.nchannels > maxChannels)
-    throw InputError(path.string(),
+    throw InputError(where,
                      fmt::format("{} x {} texels of {} channels, expected at most {} x {} of {}", spec.width,
                                  spec.height, spec.nchannels, maxSide, maxSide, maxChannels));
   if (part == 0) {
@@ -123,15 +141,17 @@ void readPart(const std::filesystem::path& path, OIIO::ImageInput& input, int pa
     layers.height = spec.height;
   }
   if (spec.width != layers.width || spec.height != layers.height)
-    throw InputError(path.string(), fmt::format("part {} has {} x {} texels, the first has {} x {}", part,
-                                                spec.width, spec.height, layers.width, layers.height));
+    throw InputError(where, fmt::format("part {} has {} x {} texels, the first has {} x {}", part, spec.width,
+                                        spec.height, layers.width, layers.height));
   const auto channels = static_cast<std::size_t>(spec.nchannels);
-  checkNumbers(path, (layers.channels.size() + channels) * static_cast<std::uint64_t>(spec.width) *
-                         static_cast<std::uint64_t>(std::max(spec.height, linesAtOnce)));
+  checkNumbers(bytes,
+               (layers.channels.size() + channels) * static_cast<std::uint64_t>(spec.width) *
+                   static_cast<std::uint64_t>(std::max(spec.height, linesAtOnce)),
+               where);
   const std::size_t texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
   std::vector<float> values(texels * channels);
   if (!input.read_image(part, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-    throw InputError(path.string(), "broken or cut short: " + input.geterror());
+    throw InputError(where, "broken or cut short: " + input.geterror());
   for (std::size_t c = 0; c < channels; ++c) {
     PictureChannel channel{spec.channelnames[c], std::vector<float>(texels)};
     for (std::size_t i = 0; i < texels; ++i) channel.values[i] = values[i * channels + c];
@@ -141,15 +161,12 @@ void readPart(const std::filesystem::path& path, OIIO::ImageInput& input, int pa
 
 }  // namespace
 
-PictureLayers readPictureLayers(const std::filesystem::path& path) {
-  const auto input = OIIO::ImageInput::create(readerOf(PictureFormat::Exr));
-  if (!input) throw InputError(path.string(), "cannot be read as a picture: " + OIIO::geterror());
-  OIIO::ImageSpec first;
-  if (!input->open(path.string(), first))
-    throw InputError(path.string(), "cannot be read as a picture: " + input->geterror());
+PictureLayers decodeLayers(std::span<const std::uint8_t> bytes, const std::string& where) {
+  const OpenPicture picture(bytes, PictureFormat::Exr, where);
+  OIIO::ImageInput& input = picture.input();
   PictureLayers layers;
-  for (int part = 0; input->seek_subimage(part, 0); ++part) readPart(path, *input, part, layers);
-  (void)input->geterror();  // clears the error of seeking past the last part
+  for (int part = 0; input.seek_subimage(part, 0); ++part) readPart(input, bytes.size(), part, layers, where);
+  (void)input.geterror();  // clears the error of seeking past the last part
   return layers;
 }
 

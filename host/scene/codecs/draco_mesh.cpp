@@ -4,8 +4,8 @@
 
 namespace prelight {
 
-std::unique_ptr<DracoMesh> decodeDraco(std::span<const std::uint8_t> bytes, std::uint64_t mostBytes,
-                                       const std::string& where) {
+std::unique_ptr<DracoMesh> decodeDracoHere(std::span<const std::uint8_t> bytes, std::uint64_t mostBytes,
+                                           const std::string& where) {
   void* function = moduleFunction("libprelight_draco.so", "prelightDecodeDraco");
   std::unique_ptr<DracoMesh> mesh;
   reinterpret_cast<decltype(&prelightDecodeDraco)>(function)(bytes, mostBytes, where, mesh);

@@ -30,14 +30,18 @@ class DracoMesh {
   virtual std::vector<std::uint8_t> values(const DracoValues& wanted, const std::string& where) const = 0;
 };
 
-/// Decodes a mesh. Throws InputError about `where` when the bytes are no triangle mesh of Draco, are broken,
-/// or claim so much that decoding would take more than `mostBytes`, which is checked before memory is
-/// allocated.
+/// Decodes a mesh, by a process without rights (sandbox/decoder.h) where there is one. Throws InputError
+/// about `where` when the bytes are no triangle mesh of Draco, are broken, or claim so much that decoding
+/// would take more than `mostBytes`, which is checked before memory is allocated.
 ///
 /// libdraco is linked into a module that is loaded on first use. Debian's contains another tinygltf, which
 /// must not replace ours, and it would add a millisecond to every start of the program.
 std::unique_ptr<DracoMesh> decodeDraco(std::span<const std::uint8_t> bytes, std::uint64_t mostBytes,
                                        const std::string& where);
+
+/// Decodes a mesh in this process, likewise.
+std::unique_ptr<DracoMesh> decodeDracoHere(std::span<const std::uint8_t> bytes, std::uint64_t mostBytes,
+                                           const std::string& where);
 
 }  // namespace prelight
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/magnitudes.h"
+#include "base/parallel.h"
 #include "scene/gltf/gltf_use.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/load/load_parts.h"
@@ -346,13 +347,15 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
     }
   }
   checkImages(context.document, used);
-  std::vector<Image> images;
-  images.reserve(used.size());
+  std::vector<Image> images(used.size());
+  std::vector<Warnings> warnings(used.size());
+  parallelRanges(used.size(), 1, [&](std::size_t i, std::size_t) {
+    images[i] = used[i] ? loadImage(context.document, i, warnings[i])
+                        : whiteImage(context.root.at("images").at(i).stringOr("name", ""));
+  });
   for (std::size_t i = 0; i < used.size(); ++i) {
-    const std::size_t before = context.warnings.size();
-    images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
-                             : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
-    if (context.warnings.size() == before) continue;
+    if (warnings[i].empty()) continue;
+    context.warnings.insert(context.warnings.end(), warnings[i].begin(), warnings[i].end());
     for (Material& material : materials)  // a white texel is no valid direction
       for (TextureRef* ref :
            {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture})
