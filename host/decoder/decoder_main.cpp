@@ -3,8 +3,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
-#include <exception>
 #include <functional>
 #include <optional>
 
@@ -16,9 +14,6 @@
 namespace prelight {
 
 namespace {
-
-/// How long the program waits for a job before it releases its memory, in ms.
-constexpr int patience = 2000;
 
 /// Does the jobs of a session.
 void serve(int session, DecoderJob job) {
@@ -47,27 +42,13 @@ void startSessions(int channel) {
   }
 }
 
-int run() {
-  const int channel = takeChannel();
-  if (channel < 0) {
-    std::fputs("prelight-decoder: Prelight's library starts this program to decode pictures and meshes\n",
-               stderr);
-    return 2;
-  }
-  try {
-    startSessions(channel);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
-
 }  // namespace
 
 }  // namespace prelight
 
 int main() {
   // Skips the libraries' cleanup at exit, which would only cost time.
-  _exit(prelight::run());
+  _exit(prelight::runStarted(
+      "prelight-decoder: Prelight's library starts this program to decode pictures and meshes",
+      prelight::startSessions));
 }

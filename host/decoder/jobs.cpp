@@ -62,7 +62,7 @@ class MeshWork {
   SendResult decode(JobSocket& socket) {
     const auto mostBytes = socket.get<std::uint64_t>();
     const std::string where = socket.getText();
-    const std::vector<std::uint8_t> bytes = socket.getArray<std::uint8_t>(std::uint64_t{1} << 36);
+    const std::vector<std::uint8_t> bytes = socket.getArray<std::uint8_t>(mostEncodedBytes);
     mesh_ = decodeDracoHere(bytes, mostBytes, where);
     return [vertices = std::uint64_t{mesh_->vertices()},
             triangles = std::uint64_t{mesh_->triangles()}](JobSocket& to) {

@@ -3,8 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,40 +45,26 @@ std::string compile(const cl::Context& context, const cl::Device& device, const 
   }
 }
 
-/// How long the process waits for a job before it releases its memory, in ms.
-constexpr int patience = 2000;
-
-/// Answers jobs until the library closes its end. Returns the exit code.
-int serve(int channel) {
+/// Answers jobs until the library closes its end.
+void serve(int channel) {
   const std::optional<std::string> name = receiveText(channel);
-  if (!name) return 0;
+  if (!name) return;
   const std::optional<cl::Device> device = findByName(*name);
   if (!device) {
     sendText(channel, "no such device");
-    return 0;
+    return;
   }
   const cl::Context context(*device);
-  if (!sendText(channel, "")) return 0;
+  if (!sendText(channel, "")) return;
   while (awaitData(channel, patience)) {
     const std::optional<std::string> options = receiveText(channel);
     const std::optional<std::string> source = options ? receiveText(channel) : std::nullopt;
-    if (!source || !sendText(channel, compile(context, *device, *options, *source))) return 0;
+    if (!source || !sendText(channel, compile(context, *device, *options, *source))) return;
   }
-  return 0;
 }
 
 int run() {
-  const int channel = takeChannel();
-  if (channel < 0) {
-    std::fputs("prelight-compiler: Prelight's library starts this program to compile kernels\n", stderr);
-    return 2;
-  }
-  try {
-    return serve(channel);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return runStarted("prelight-compiler: Prelight's library starts this program to compile kernels", serve);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint64_t mostFileBytes = std::uint64_t{1} << 36;
 constexpr std::uint64_t mostChannels = std::uint64_t{1} << 16;
 
 void putSize(JobSocket& socket, int width, int height) {
@@ -43,7 +42,7 @@ PictureRequest getPictureRequest(JobSocket& socket) {
   PictureRequest request;
   request.format = socket.get<PictureFormat>();
   request.where = socket.getText();
-  request.bytes = socket.getArray<std::uint8_t>(mostFileBytes);
+  request.bytes = socket.getArray<std::uint8_t>(mostEncodedBytes);
   return request;
 }
 

@@ -8,7 +8,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 
 namespace prelight {
 
@@ -54,6 +56,18 @@ class FileMessage {
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> room_{};
   msghdr header_{};
 };
+
+/// Moves the socket on standard input to another descriptor, where no library reads or writes. Returns -1 if
+/// standard input is no socket.
+int takeChannel() {
+  int type = 0;
+  socklen_t size = sizeof(type);
+  if (::getsockopt(STDIN_FILENO, SOL_SOCKET, SO_TYPE, &type, &size) != 0) return -1;
+  const int channel = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+  return channel;
+}
 
 }  // namespace
 
@@ -124,14 +138,19 @@ bool awaitData(int socket, int milliseconds) {
   return ready > 0;
 }
 
-int takeChannel() {
-  int type = 0;
-  socklen_t size = sizeof(type);
-  if (::getsockopt(STDIN_FILENO, SOL_SOCKET, SO_TYPE, &type, &size) != 0) return -1;
-  const int channel = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
-  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
-  return channel;
+int runStarted(const char* purpose, const std::function<void(int channel)>& serve) {
+  const int channel = takeChannel();
+  if (channel < 0) {
+    std::fprintf(stderr, "%s\n", purpose);
+    return 2;
+  }
+  try {
+    serve(channel);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }
 
 }  // namespace prelight

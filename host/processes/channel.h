@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,8 +38,12 @@ std::optional<ReceivedFile> receiveFile(int socket);
 /// Waits for data or the other end's closing. Returns false when neither comes within `milliseconds`.
 bool awaitData(int socket, int milliseconds);
 
-/// For a started program: moves the socket on standard input to another descriptor, where no library reads or
-/// writes. Returns -1 if standard input is no socket.
-int takeChannel();
+/// How long a started program waits for work before it ends and so releases its memory, in ms.
+constexpr int patience = 2000;
+
+/// Runs a program that the library starts: `serve` talks through the socket that was the standard input.
+/// Returns the exit code: 0, 1 with a message after an exception, or 2 with `purpose` if standard input is no
+/// socket.
+int runStarted(const char* purpose, const std::function<void(int channel)>& serve);
 
 }  // namespace prelight

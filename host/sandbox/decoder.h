@@ -8,8 +8,8 @@
 
 namespace prelight {
 
-/// What a decoding process does; its requests and results are those of images/picture_jobs.h, and for meshes
-/// of scene/codecs/draco_jobs.h.
+/// The work of a decoding process. Its requests and results are those of images/picture_jobs.h, and for
+/// meshes of scene/codecs/draco_jobs.h.
 enum class DecoderJob : char {
   PlainPng = 'n',  ///< decodePlainPng(), by libpng
   PlainExr = 'e',  ///< decodePlainExr(), by libOpenEXR

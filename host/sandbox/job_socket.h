@@ -11,6 +11,9 @@
 
 namespace prelight {
 
+/// Most bytes of a file that a decoding process takes.
+constexpr std::uint64_t mostEncodedBytes = std::uint64_t{1} << 36;
+
 /// The other end of a JobSocket is closed, or has sent what cannot be meant.
 class JobSocketFailure : public std::runtime_error {
  public:

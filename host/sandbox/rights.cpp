@@ -16,7 +16,7 @@ constexpr rlim_t mostSeconds = 120;
 
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
-/// What a decoder, the C library's memory and its way out call.
+/// The system calls of decoders, of memory allocation and of the end of a process.
 constexpr int calls[] = {
     SCMP_SYS(read),          SCMP_SYS(write),        SCMP_SYS(readv),          SCMP_SYS(writev),
     SCMP_SYS(recvfrom),      SCMP_SYS(sendto),       SCMP_SYS(recvmsg),        SCMP_SYS(sendmsg),

@@ -8,7 +8,7 @@
 namespace prelight::fuzz {
 
 void runTarget(const Target& target, Bytes input) {
-  // What decodes is to be seen by the fuzzer and its sanitizers.
+  // Decoders run in this process, where the fuzzer and its sanitizers see them.
   static const int decodeHere = ::setenv("PRELIGHT_SANDBOX", "0", 0);
   require(decodeHere == 0, "the environment takes a variable");
   try {
