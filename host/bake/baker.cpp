@@ -10,6 +10,7 @@
 #include "bake/drawn_hemispheres.h"
 #include "base/clocks.h"
 #include "base/kept_work.h"
+#include "base/work_share.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "techniques/receiver_cast.h"
@@ -46,6 +47,14 @@ BuildQuality qualityFor(const CompiledScene& scene, const BakeRequest& request) 
   return rays < worthwhile * scene.triangleCount() ? BuildQuality::Balanced : BuildQuality::High;
 }
 
+/// Work that goes on from a state, or that others have done a part of, may have no ray left to trace.
+TreeStart treeStartOf(const Progress& progress) {
+  const WorkKeeper* keeper = progress.keeper();
+  if (keeper == nullptr) return TreeStart::AtOnce;
+  const bool othersTrace = keeper->share() != nullptr && !keeper->share()->givesAway();
+  return keeper->hasState() || othersTrace ? TreeStart::AtFirstRay : TreeStart::AtOnce;
+}
+
 /// Returns projectors of the requested techniques, in the order of the techniques. Throws what they throw.
 std::vector<std::unique_ptr<Projector>> makeProjectors(const BakeContext& context) {
   std::vector<std::unique_ptr<Projector>> made;
@@ -80,6 +89,7 @@ class ProjectorsRun {
         context_.clock.mark(std::string(projector->stage()));
     }
     if (cast_) cast_->addTo(context_.report);
+    context_.report.bytesBvh = context_.tracer.bvhBytes();
     for (const Tracer& part : context_.setTracers) context_.report.bytesBvh += part.bvhBytes();
     return bake;
   }
@@ -110,9 +120,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& asked, const Plan&
   // Beside the hierarchy.
   std::future<FitMesh> unknowns = std::async([&] { return makeFitMesh(scene, sets.setOfVertices(scene)); });
   Tracer tracer(scene, device, BvhLayout::Automatic, qualityFor(scene, request),
-                plan.runs(Pass::Instances) ? TreeLevels::Two : TreeLevels::One);
+                plan.runs(Pass::Instances) ? TreeLevels::Two : TreeLevels::One, treeStartOf(progress));
   const FitMesh mesh = unknowns.get();
-  report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);
   const BakeRequest carried = carriedOut(request, lightOf(plan));

@@ -221,8 +221,16 @@ void PendingFile::overwrite(std::uint64_t offset, std::span<const std::byte> byt
   }
 }
 
-// File systems report delayed write errors when a descriptor is closed.
+int PendingFile::openAgain() const {
+  const std::string own = descriptorsFolder + std::to_string(descriptor_);
+  const int descriptor = ::open(temporary_.empty() ? own.c_str() : temporary_.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) fail(errno);
+  return descriptor;
+}
+
+// File systems report delayed write errors when a descriptor is closed. Some cannot wait for the disk.
 void PendingFile::close() {
+  if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) fail(errno);
   if (!temporary_.empty()) {
     closeDescriptor();
   } else {

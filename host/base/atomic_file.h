@@ -44,9 +44,12 @@ class PendingFile {
   /// Replaces bytes that have been written.
   void overwrite(std::uint64_t offset, std::span<const std::byte> bytes);
 
-  /// To be called after the last byte: makes sure that the file system has accepted all of them. An unnamed
-  /// file keeps its descriptor.
+  /// To be called after the last byte: makes sure that all of them are on the disk, so that a power cut
+  /// cannot take them after the older file is gone. An unnamed file keeps its descriptor.
   void close();
+
+  /// Returns a descriptor by which the caller reads and writes the file, whether it has a name or not.
+  int openAgain() const;
 
   /// After close(): releases the descriptor and gives the file a temporary name beside `path`.
   void takeName();

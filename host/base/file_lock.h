@@ -11,4 +11,7 @@ bool lockFile(int descriptor);
 /// Returns true if another process has locked a file.
 bool isLockedByAnother(const std::filesystem::path& path);
 
+/// Removes a file, if there is one, unless another process has locked it.
+void removeUnlessLocked(const std::filesystem::path& path);
+
 }  // namespace prelight

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/work_share.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -74,8 +75,9 @@ void WorkKeeper::load(WorkPart& part) {
   StateReader reader(log_.path(), log_.read(part.name_), &arrays);
   reader.value(part.step_);
   reader.value(part.finished_);
+  if (!part.finished_ && share_ != nullptr && share_->givesAway()) reader.setPartial();
   part.load_(reader);
-  reader.require(reader.rest().empty());
+  reader.require(reader.partial() || reader.rest().empty());
   part.keptStep_ = part.step_;
   part.kept_ = true;
 }

@@ -1,10 +1,10 @@
 #include "base/resumable_run.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "base/file_lock.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -51,6 +51,9 @@ ResumableRun::ResumableRun(std::filesystem::path path, std::string kind, double 
     : path_(std::move(path)), kind_(std::move(kind)), interval_(interval), saved_(std::move(saved)) {}
 
 Progress& ResumableRun::begin(const StateKey& key, Progress& outer, StateUse use, WorkShare* share) {
+  if (use == StateUse::Replace && isLockedByAnother(path_))
+    throw UsageError(path_.string(), "another run that writes the same output goes on with it",
+                     "wait for that run, end it, or write to another file");
   const auto access = use == StateUse::Read ? StateLog::Access::Read : StateLog::Access::Continue;
   std::optional<StateLog> log =
       use == StateUse::Replace ? std::nullopt : StateLog::open(path_, kind_, key, access);
@@ -70,8 +73,7 @@ void ResumableRun::save() {
 void ResumableRun::remove() {
   progress_.reset();
   keeper_.reset();
-  std::error_code ignored;
-  if (!isLockedByAnother(path_)) std::filesystem::remove(path_, ignored);
+  removeUnlessLocked(path_);
 }
 
 }  // namespace prelight

@@ -61,7 +61,8 @@ class ResumableRun {
                std::function<void()> saved = {});
 
   /// Returns the progress for the work, which reports to `outer`. `share`, if given, divides the work among
-  /// processes and must outlive it. Throws as StateLog::open().
+  /// processes and must outlive it. Throws as StateLog::open(), and UsageError if another run is going on
+  /// with the state that would be replaced.
   Progress& begin(const StateKey& key, Progress& outer, StateUse use, WorkShare* share = nullptr);
 
   /// Returns true if begin() found a state.

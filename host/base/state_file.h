@@ -245,6 +245,11 @@ class StateReader {
     require(holds());
   }
 
+  /// True for a process that does pieces of the work for others: what decides which pieces there are is
+  /// enough, and the rest need not be read. States begin with the former.
+  bool partial() const { return partial_; }
+  void setPartial() { partial_ = true; }
+
   /// Returns the bytes that have not been read yet.
   std::span<const std::byte> rest() const { return std::span(payload_).subspan(at_); }
 
@@ -269,6 +274,7 @@ class StateReader {
   std::vector<std::byte> payload_;
   GrownArrays* arrays_ = nullptr;
   std::size_t at_ = 0;
+  bool partial_ = false;
 };
 
 }  // namespace prelight

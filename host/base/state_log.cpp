@@ -1,9 +1,11 @@
 #include "base/state_log.h"
 
+#define XXH_INLINE_ALL  // no library to link: this file alone uses it
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<char, 8> magic = {'P', 'R', 'L', 'S', 'T', 'A', 'T', 'E'};
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
 constexpr const char* startAnew = "delete it to start anew";
 constexpr const char* heldByAnother = "another run is continuing it";
 constexpr const char* cannotRead = "cannot read the state of the interrupted run";
@@ -82,6 +84,17 @@ struct ArrayHead {
 };
 
 std::uint64_t hashOf(std::span<const std::byte> bytes) { return StateHash().bytes(bytes).result(); }
+
+/// Checksum of a record's payload, which may have gigabytes.
+class PayloadChecksum {
+ public:
+  PayloadChecksum() { XXH3_64bits_reset(&state_); }
+  void add(std::span<const std::byte> bytes) { XXH3_64bits_update(&state_, bytes.data(), bytes.size()); }
+  std::uint64_t result() const { return XXH3_64bits_digest(&state_); }
+
+ private:
+  XXH3_state_t state_;
+};
 
 }  // namespace
 
@@ -167,15 +180,18 @@ class StateLog::File {
     if ((replaced == nullptr || replaced->isGone()) && isLockedByAnother(path_))
       throw Error(ExitCode::RuntimeFailure, path_.string(), heldByAnother,
                   "wait for that run, or write to another file");
-    pending_->close();
-    pending_->moveIn();
+    // Locked before anybody can find it.
+    const int descriptor = pending_->openAgain();
+    lockFile(descriptor);
+    try {
+      pending_->close();
+      pending_->moveIn();
+    } catch (...) {
+      ::close(descriptor);
+      throw;
+    }
     pending_.reset();
-    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
-    if (descriptor_ < 0)
-      throw Error(ExitCode::RuntimeFailure, path_.string(),
-                  std::string("cannot write: ") + std::strerror(errno),
-                  "check the folder, its permissions and free space");
-    lockFile(descriptor_);
+    descriptor_ = descriptor;
   }
 
   /// Opens a file, and locks it if it is to be continued. Returns nullptr if there is none.
@@ -261,52 +277,55 @@ std::optional<StateLog> StateLog::openAny(const fs::path& path, Access access) {
   readTitleBytes(reader, log.kind_, log.key_);
   // A power failure may have destroyed the end of the last commit's data: the one before it counts then.
   if (slots[0].sequence < slots[1].sequence) std::swap(slots[0], slots[1]);
-  const auto usable = std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) {
-    return slot.sequence > 0 && slot.check == slot.rightCheck() && slot.end <= size;
-  });
-  if (usable == slots.end()) log.damaged();
-  log.scan(*usable);
-  return log;
+  for (const Slot& slot : slots)
+    if (slot.sequence > 0 && slot.check == slot.rightCheck() && slot.end <= size && log.scan(slot))
+      return log;
+  log.damaged();
 }
 
-/// Reads all used bytes once, so that damage is not found halfway through the work.
-void StateLog::scan(const Slot& slot) {
+/// Reads all bytes that a commit used, so that damage is not found halfway through the work. Returns false if
+/// there is any.
+bool StateLog::scan(const Slot& slot) {
+  contents_ = Contents();
   contents_.end = headerBytes_;
+  std::vector<std::byte> piece;
   while (contents_.end < slot.end) {
     Head head;
-    if (slot.end - contents_.end < sizeof head) damaged();
+    if (slot.end - contents_.end < sizeof head) return false;
     file_->read(contents_.end, std::as_writable_bytes(std::span(&head, 1)));
     const std::uint64_t left = slot.end - contents_.end - sizeof head;
     if (head.nameBytes > longestName || head.nameBytes > left || head.payloadBytes > left - head.nameBytes)
-      damaged();
+      return false;
     std::string name(head.nameBytes, '\0');
     file_->read(contents_.end + sizeof head, std::as_writable_bytes(std::span(name)));
     const Place place{contents_.end + sizeof head + head.nameBytes, head.payloadBytes};
-    StateHash hash;
+    PayloadChecksum checksum;
     std::array<std::byte, sizeof(ArrayHead)> arrayHead{};
     forPieces(place.bytes, 1, [&](std::uint64_t first, std::uint64_t count) {
-      std::vector<std::byte> piece(count);
+      piece.resize(count);
       file_->read(place.offset + first, piece);
-      hash.bytes(piece);
+      checksum.add(piece);
       if (first == 0) std::copy_n(piece.begin(), std::min(piece.size(), arrayHead.size()), arrayHead.begin());
     });
-    if (hash.result() != head.payloadHash || StateHash().text(name).result() != head.nameHash) damaged();
+    if (checksum.result() != head.payloadHash || StateHash().text(name).result() != head.nameHash)
+      return false;
     contents_.chain = StateHash().value(contents_.chain).bytes(bytesOf(head)).result();
     contents_.end = place.offset + place.bytes;
-    take(head.kind, name, place, arrayHead.data());
+    if (!take(head.kind, name, place, arrayHead.data())) return false;
   }
-  if (contents_.chain != slot.chain) damaged();
+  if (contents_.chain != slot.chain) return false;
   contents_.sequence = slot.sequence;
   std::memcpy(&contents_.seconds, &slot.seconds, sizeof contents_.seconds);
   committed_ = contents_;
+  return true;
 }
 
 void StateLog::damaged() const {
   throw InputError(path_.string(), "the state of the interrupted run is damaged", startAnew);
 }
 
-/// Enters a record under its name. `arrayHead`: its first bytes.
-void StateLog::take(Kind kind, const std::string& name, const Place& place, const std::byte* arrayHead) {
+/// Enters a record under its name. `arrayHead`: its first bytes. Returns false if it cannot be one.
+bool StateLog::take(Kind kind, const std::string& name, const Place& place, const std::byte* arrayHead) {
   const auto eraseFrom = [&](auto& map) {
     for (auto at = map.lower_bound(name); at != map.end() && at->first.starts_with(name);) at = map.erase(at);
   };
@@ -317,17 +336,18 @@ void StateLog::take(Kind kind, const std::string& name, const Place& place, cons
     eraseFrom(contents_.arrays);
   } else {
     ArrayHead head;
-    if (kind != Kind::Array || place.bytes < sizeof head) damaged();
+    if (kind != Kind::Array || place.bytes < sizeof head) return false;
     std::memcpy(&head, arrayHead, sizeof head);
     Array& array = contents_.arrays[name];
     if (head.first == 0) array = {head.epoch, 0, head.elementSize, {}};
     const std::uint64_t bytes = place.bytes - sizeof head;
     if (head.epoch != array.epoch || head.first != array.count || head.elementSize != array.elementSize ||
         head.elementSize == 0 || bytes / head.elementSize != head.count || bytes % head.elementSize != 0)
-      damaged();
+      return false;
     array.count += head.count;
     array.chunks.push_back({place.offset + sizeof head, bytes});
   }
+  return true;
 }
 
 std::vector<std::string> StateLog::names() const {
@@ -380,20 +400,19 @@ void StateLog::append(Kind kind, const std::string& name,
   head.nameBytes = static_cast<std::uint32_t>(name.size());
   head.kind = kind;
   const std::uint64_t payload = contents_.end + sizeof head + name.size();
-  StateHash hash;
+  PayloadChecksum checksum;
   std::array<std::byte, sizeof(ArrayHead)> first{};
-  // Hashed in the pieces in which it will be read, whatever the pieces in which it arrives.
   std::vector<std::byte> piece;
   const auto flush = [&] {
     if (piece.empty()) return;
     if (head.payloadBytes == 0)
       std::copy_n(piece.begin(), std::min(piece.size(), first.size()), first.begin());
-    hash.bytes(piece);
+    checksum.add(piece);
     file_->write(payload + head.payloadBytes, piece);
     head.payloadBytes += piece.size();
     piece.clear();
   };
-  constexpr std::size_t pieceBytes = std::size_t{1} << 22;  // as in forPieces()
+  constexpr std::size_t pieceBytes = std::size_t{1} << 22;
   fill([&](std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
       const std::size_t count = std::min(bytes.size(), pieceBytes - piece.size());
@@ -403,7 +422,7 @@ void StateLog::append(Kind kind, const std::string& name,
     }
   });
   flush();
-  head.payloadHash = hash.result();
+  head.payloadHash = checksum.result();
   file_->write(contents_.end + sizeof head, std::as_bytes(std::span(name)));
   file_->write(contents_.end, bytesOf(head));
   contents_.chain = StateHash().value(contents_.chain).bytes(bytesOf(head)).result();

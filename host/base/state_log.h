@@ -128,10 +128,10 @@ class StateLog {
   void begin();
   void append(Kind kind, const std::string& name,
               const std::function<void(const StateWriter::Sink& sink)>& fill);
-  void take(Kind kind, const std::string& name, const Place& place, const std::byte* arrayHead);
+  bool take(Kind kind, const std::string& name, const Place& place, const std::byte* arrayHead);
   void writeSlot();
   void compact();
-  void scan(const Slot& slot);
+  bool scan(const Slot& slot);
   [[noreturn]] void damaged() const;
 
   std::filesystem::path path_;

@@ -108,10 +108,6 @@ PieceSource WorkSlice::sourceOf(const std::string& loop, const WorkPiece& piece)
   return PieceSource::Elsewhere;
 }
 
-StateReader WorkSlice::read(const std::string& /*loop*/, const WorkPiece& /*piece*/) {
-  return {log_.path(), {}};  // none is given
-}
-
 void WorkSlice::write(const std::string& loop, const WorkPiece& piece, std::span<const std::byte> result) {
   const std::scoped_lock lock(guard_);
   try {

@@ -43,7 +43,6 @@ class WorkSlice final : public WorkShare {
 
   bool begin(const std::string& loop, std::string_view stage) override;
   PieceSource sourceOf(const std::string& loop, const WorkPiece& piece) override;
-  StateReader read(const std::string& loop, const WorkPiece& piece) override;
   bool givesAway() const override { return true; }
   void write(const std::string& loop, const WorkPiece& piece, std::span<const std::byte> result) override;
   bool end() override;
@@ -78,11 +77,6 @@ class StageList final : public WorkShare {
   PieceSource sourceOf(const std::string& /*loop*/, const WorkPiece& /*piece*/) override {
     return PieceSource::Here;
   }
-  StateReader read(const std::string& /*loop*/, const WorkPiece& /*piece*/) override { return {{}, {}}; }
-  bool givesAway() const override { return false; }
-  void write(const std::string& /*loop*/, const WorkPiece& /*piece*/,
-             std::span<const std::byte> /*result*/) override {}
-  bool end() override { return true; }
 
   const std::vector<std::string>& stages() const { return stages_; }
 
@@ -102,10 +96,6 @@ class GivenParts final : public WorkShare {
   bool begin(const std::string& loop, std::string_view stage) override;
   PieceSource sourceOf(const std::string& loop, const WorkPiece& piece) override;
   StateReader read(const std::string& loop, const WorkPiece& piece) override;
-  bool givesAway() const override { return false; }
-  void write(const std::string& /*loop*/, const WorkPiece& /*piece*/,
-             std::span<const std::byte> /*result*/) override {}
-  bool end() override { return true; }
 
   const std::vector<PartTitle>& titles() const { return titles_; }
   std::uint64_t given() const { return given_; }                      ///< pieces taken from files

@@ -42,15 +42,16 @@ class WorkShare {
   /// Asked once for each piece of the stage, in their order. Another thread may read and write meanwhile.
   virtual PieceSource sourceOf(const std::string& loop, const WorkPiece& piece) = 0;
 
-  /// Returns the result of a given piece.
-  virtual StateReader read(const std::string& loop, const WorkPiece& piece) = 0;
+  /// Returns the result of a given piece. By default none is given.
+  virtual StateReader read(const std::string& /*loop*/, const WorkPiece& /*piece*/) { return {{}, {}}; }
 
   /// Returns whether results are for other processes: write() takes them, and this process goes without.
-  virtual bool givesAway() const = 0;
-  virtual void write(const std::string& loop, const WorkPiece& piece, std::span<const std::byte> result) = 0;
+  virtual bool givesAway() const { return false; }
+  virtual void write(const std::string& /*loop*/, const WorkPiece& /*piece*/,
+                     std::span<const std::byte> /*result*/) {}
 
   /// Ends a stage. Returns false if the process ends with it, because it lacks pieces.
-  virtual bool end() = 0;
+  virtual bool end() { return true; }
 };
 
 /// A loop over independent pieces of work, which processes divide among them if the work's keeper has a

@@ -50,7 +50,7 @@ void SceneCast::finish(const Progress& progress) {
 
 void SceneCast::makeBack() {
   SumMemory memory = options_.memory;
-  memory.recordBytes -= std::min(memory.recordBytes, front_.sums().records().bytesInMemory());
+  memory.recordBytes -= std::min(memory.recordBytes, front_.recordBytes());
   back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, options_.guide, schedule_, options_.sets, memory,
                                      SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back));
   backSeen_.assign(scene_.triangleCount(), 0);
@@ -78,33 +78,54 @@ bool SceneCast::markFreshBacks() {
   return true;
 }
 
-// Backs come last: what grows keeps its place when there are some.
 void SceneCast::save(StateWriter& state) const {
   front_.finishBlocks();
   if (back_) back_->finishBlocks();
   state.value(frontDone_);
   state.value(backRounds_);
-  front_.save(state);
-  caster_.save(state);
+  front_.savePlacing(state);
+  if (options_.transport != nullptr) options_.transport->saveMarks(state);
   state.value(static_cast<std::uint8_t>(back_ != nullptr));
-  if (!back_) return;
-  state.values(backSeen_);
-  back_->save(state);
+  if (back_) {
+    state.values(backSeen_);
+    back_->savePlacing(state);
+  }
+  front_.saveSums(state);
+  caster_.save(state);
+  if (back_) back_->saveSums(state);  // last: what grows keeps its place when there are some
 }
 
 void SceneCast::load(StateReader& state) {
+  loadPlacing(state);
+  if (state.partial() && isBeforePass()) return;
+  front_.loadSums(state);
+  caster_.load(state);
+  if (back_) back_->loadSums(state);
+  checkLoaded(state);
+}
+
+bool SceneCast::isBeforePass() const {
+  if (!frontDone_) return front_.isBeforePass();
+  return !back_ || !back_->running() || back_->isBeforePass();
+}
+
+void SceneCast::loadPlacing(StateReader& state) {
   std::uint8_t withBack = 0;
   state.value(frontDone_);
   state.value(backRounds_);
-  front_.load(state);
-  caster_.load(state);
+  front_.loadPlacing(state);
+  if (options_.transport != nullptr) options_.transport->loadMarks(state);
   state.value(withBack);
-  if (withBack != 0) {
-    makeBack();
-    state.sameSize(backSeen_);
-    back_->sums().limitTo(backSeen_);
-    back_->load(state);
-  }
+  if (withBack == 0) return;
+  makeBack();
+  state.sameSize(backSeen_);
+  for (const std::uint8_t seen : backSeen_) state.require(seen <= 1);
+  back_->sums().limitTo(backSeen_);
+  back_->loadPlacing(state);
+}
+
+/// Checks what was read as a whole.
+void SceneCast::checkLoaded(const StateReader& state) const {
   std::uint32_t rows = front_.storedCount();
   state.require(front_.storedFirst() == 0 && rows <= capacity_);
   if (back_) {
@@ -118,7 +139,6 @@ void SceneCast::load(StateReader& state) {
   // Rounds begin with a side, and stop at one that has nothing to cast from.
   state.require(backRounds_ <= maxBackRounds && (back_ || backRounds_ == 0) &&
                 frontDone_ != front_.running());
-  for (const std::uint8_t seen : backSeen_) state.require(seen <= 1);
 }
 
 }  // namespace prelight

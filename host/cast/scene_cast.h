@@ -51,10 +51,14 @@ class SceneCast {
   std::uint64_t receivers() const { return front_.receivers() + (back_ ? back_->receivers() : 0); }
   std::uint64_t rays() const { return front_.rays() + (back_ ? back_->rays() : 0); }
 
+  /// States begin with what decides which receivers are cast from.
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
  private:
+  void loadPlacing(StateReader& state);
+  void checkLoaded(const StateReader& state) const;
+  bool isBeforePass() const;
   void makeBack();
   bool castsBacks() const;
   std::vector<std::uint8_t> knownBacks() const;

@@ -84,16 +84,20 @@ bool SideCast::endRound(const Progress& progress) {
   return false;
 }
 
-// Later passes place their receivers by what earlier ones have seen: on fronts they look back after passes 1,
-// 2, 4 and so on of a round, on backs, which are few, after a round. Processes that divide a cast meet as
-// often.
+// Passes look back on what earlier ones have seen, to place their receivers by it. Processes that divide a
+// cast meet wherever it does, so it does so seldom: on fronts after a quarter of a round, where 1024 rays a
+// vertex are the first that have enough of them around most slots; where columns follow accessibility,
+// whenever the passes have doubled; on backs, which are few, after a round.
 std::uint32_t SideCast::firstOfStage() const {
-  return sampler_.side() == Side::Front ? std::bit_floor(passInRound_) : 0;
+  if (sampler_.side() == Side::Back) return 0;
+  if (tellsAccessibility_) return std::bit_floor(passInRound_);
+  return passInRound_ < passesBeforeLook() ? 0 : passesBeforeLook();
 }
 
 std::uint32_t SideCast::endOfStage() const {
-  const bool front = sampler_.side() == Side::Front;
-  return front ? std::min(std::max(2 * firstOfStage(), 1u), schedule_.passes) : schedule_.passes;
+  if (sampler_.side() == Side::Back) return schedule_.passes;
+  if (tellsAccessibility_) return std::min(std::max(2 * firstOfStage(), 1u), schedule_.passes);
+  return passInRound_ < passesBeforeLook() ? passesBeforeLook() : schedule_.passes;
 }
 
 std::string SideCast::stage() const {
@@ -308,8 +312,7 @@ void SideCast::exchangeCounts(Self& cast, State& state) {
   state.value(cast.doneInPass_);
 }
 
-void SideCast::save(StateWriter& state) const {
-  finishBlocks();
+void SideCast::savePlacing(StateWriter& state) const {
   state.values(accessibility_);
   state.values(sampler_.active());
   state.values(sampler_.thinned());
@@ -317,10 +320,9 @@ void SideCast::save(StateWriter& state) const {
   state.values(position.taken);
   state.value(position.passes);
   exchangeCounts(*this, state);
-  sums_.save(state);
 }
 
-void SideCast::load(StateReader& state) {
+void SideCast::loadPlacing(StateReader& state) {
   state.values(accessibility_);
   state.sameSize(sampler_.active());
   state.sameSize(sampler_.thinned());
@@ -331,9 +333,12 @@ void SideCast::load(StateReader& state) {
   exchangeCounts(*this, state);
   checkSchedule(state);
   checkReceivers(state);
+  if (!accessibility_.empty()) tellAccessibility();
+}
+
+void SideCast::loadSums(StateReader& state) {
   sums_.load(state, storedCount_);
   state.require(sums_.records().size() == std::min<std::uint64_t>(receivers_, SampleRecords::most));
-  if (!accessibility_.empty()) tellAccessibility();
 }
 
 /// Checks what was read of the schedule.

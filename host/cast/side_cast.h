@@ -50,8 +50,16 @@ class SideCast {
   /// Waits until all blocks that were handed over have been cast and added up.
   void finishBlocks() const;
 
-  void save(StateWriter& state) const;
-  void load(StateReader& state);
+  /// What decides where further receivers are placed.
+  void savePlacing(StateWriter& state) const;
+  void loadPlacing(StateReader& state);
+
+  /// What the receivers have seen.
+  void saveSums(StateWriter& state) const { sums_.save(state); }
+  void loadSums(StateReader& state);
+
+  /// True where the next step is a pass: the sums are not needed to place its receivers.
+  bool isBeforePass() const { return running_ && !accessibilityDue_ && passInRound_ < schedule_.passes; }
 
   std::uint32_t storedFirst() const { return storedFirst_; }
   std::uint32_t storedCount() const { return storedCount_; }
@@ -60,6 +68,11 @@ class SideCast {
   std::uint64_t receivers() const {
     finishBlocks();
     return receivers_;
+  }
+
+  /// Bytes in memory of the records of the receivers cast from so far.
+  std::uint64_t recordBytes() const {
+    return sums_.records().bytesInMemory(std::min<std::uint64_t>(receivers_, SampleRecords::most));
   }
   std::size_t slotCount() const { return mesh_.slotCount(); }
   std::uint64_t rays() const { return receivers() * schedule_.raysPerReceiver; }  ///< of the hemispheres
@@ -76,6 +89,7 @@ class SideCast {
   void castPass(Progress& progress, WorkPart& part);
   std::uint32_t firstOfStage() const;
   std::uint32_t endOfStage() const;
+  std::uint32_t passesBeforeLook() const { return schedule_.passes / 4; }
   std::string stage() const;
   void endPass();
   void estimateAccessibility(const Progress& progress);

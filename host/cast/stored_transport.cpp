@@ -114,11 +114,11 @@ void StoredTransport::save(StateWriter& state) const {
     senders_->read(static_cast<std::uint32_t>(first), part);
     return std::as_bytes(std::span(part));
   });
-  state.values(marks_.read());
 }
 
 void StoredTransport::load(StateReader& state) {
-  loaded_ = {};
+  loaded_.rows = 0;
+  loaded_.fromBacks = false;
   std::vector<Sender> part;
   const std::size_t rowBytes = raysPerReceiver_ * sizeof(Sender);
   state.growing(rowBytes, [&](std::uint64_t first, std::span<const std::byte> rows) {
@@ -131,6 +131,9 @@ void StoredTransport::load(StateReader& state) {
     loaded_.rows = static_cast<std::uint32_t>(end);
   });
   stored_ = loaded_.rows;
+}
+
+void StoredTransport::loadMarks(StateReader& state) {
   std::vector<std::uint8_t> marks(marks_.size());
   state.sameSize(marks);
   for (const std::uint8_t mark : marks) state.require(mark <= 1);

@@ -98,6 +98,10 @@ class StoredTransport final : public Column {
   void finish(const CastBlock& block, ColumnRows& rows) override;
   void save(StateWriter& state) const override;
   void load(StateReader& state) override;
+
+  /// The marks of backs, which decide what is cast from, are not among what save() writes.
+  void saveMarks(StateWriter& state) const { state.values(backMarks()); }
+  void loadMarks(StateReader& state);
   void saveBlock(StateWriter& state, const CastTask& task, std::uint32_t receivers) override;
   void loadBlock(StateReader& state, const CastTask& task, std::uint32_t receivers,
                  const ColumnRows& rows) override;

@@ -19,6 +19,7 @@ find_package(CLI11 REQUIRED)                # libcli11-dev
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # libssl-dev: SHA-256 of the kernel cache keys
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)  # libzstd-dev
+find_path(XXHASH_DIR xxhash.h REQUIRED)     # libxxhash-dev: checksums of states; nothing is linked
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)  # libseccomp-dev
 if(PRELIGHT_VIEWER)
   find_package(glfw3 REQUIRED)              # libglfw3-dev

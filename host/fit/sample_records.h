@@ -40,8 +40,10 @@ class SampleRecords {
 
   void add(const SampleRecord& record);
   std::size_t size() const { return size_; }
-  std::uint64_t bytesInMemory() const {
-    return std::min(blocks_.size(), blocksInMemory_) * blockSize * sizeof(SampleRecord);
+
+  /// Returns how much memory `count` records would take here.
+  std::uint64_t bytesInMemory(std::size_t count) const {
+    return std::min((count + blockSize - 1) / blockSize, blocksInMemory_) * blockSize * sizeof(SampleRecord);
   }
 
   /// Reads `records` from index `first` on.

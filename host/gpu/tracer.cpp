@@ -37,7 +37,7 @@ const std::vector<device::NarrowTriangle>& leavesOf(const NarrowBvh& bvh) { retu
 }  // namespace
 
 Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout, BuildQuality quality,
-               TreeLevels levels)
+               TreeLevels levels, TreeStart start)
     : context_(&device.context()),
       layout_(layout != BvhLayout::Automatic          ? layout
               : device.info().kind == DeviceKind::Cpu ? BvhLayout::Wide
@@ -46,6 +46,8 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
       vertexColors_(scene.hasVertexColors()),
       albedoShares_(albedoHasShares(scene)),
       dims_(anyTriangle(scene, prelight::dimsShadows)),
+      unbuilt_(&scene),
+      quality_(quality),
       scene_(*context_, scene, instancingOf(scene, levels).instances),
       instances_(*context_, 0) {
   if (layout_ == BvhLayout::Narrow) tree_.emplace<NarrowTree>();
@@ -54,7 +56,12 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
     panes_->scene.setPaneShading(scene);
     defineFeatures(findPaneFeatures(scene), panes_->options);
   }
-  uploadTree(scene, quality);
+  if (start == TreeStart::AtOnce) startTree();
+}
+
+void Tracer::startTree() {
+  uploadTree(*unbuilt_, quality_);
+  unbuilt_ = nullptr;
 }
 
 Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles,
@@ -74,6 +81,7 @@ Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const 
 }
 
 void Tracer::separate(const CompiledScene& scene, std::span<const std::uint32_t> moving) {
+  unbuilt_ = nullptr;
   std::vector<std::uint8_t> moves(scene.triangleCount(), 0);
   for (const std::uint32_t t : moving) moves[t] = 1;
   std::vector<std::uint32_t> still;
@@ -111,6 +119,7 @@ std::vector<Hit> Tracer::traceSeparated(std::span<const Ray> rays) {
 void Tracer::dropTree() {
   std::visit([](auto& tree) { tree = {}; }, tree_);
   separated_.reset();
+  unbuilt_ = nullptr;
 }
 
 void Tracer::dropKernels() {
@@ -190,6 +199,7 @@ void Tracer::moveTree(const CompiledScene& scene, std::span<const std::uint32_t>
 
 void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count,
                    std::size_t first, DeviceLane lane) {
+  if (unbuilt_ != nullptr) startTree();
   traceTree(query, rays, hits, count, first, lane);
   if (!separated_ || count == 0) return;
   if (separatedHits_.size() < count) separatedHits_ = Buffer<Hit>(*context_, count);

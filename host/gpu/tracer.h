@@ -25,14 +25,19 @@ enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 /// each, in their own space, below a tree over the instances. Automatic: as chooseInstancing() decides.
 enum class TreeLevels : std::uint8_t { Automatic, One, Two };
 
+/// When a tree is built. AtFirstRay: never, if none is traced.
+enum class TreeStart : std::uint8_t { AtOnce, AtFirstRay };
+
 /// A scene on the device that rays can be traced in: the tree, and the surface data at hits. Hits refer to
 /// the scene's triangles for any kind of tree; with two levels they differ by the rounding of transforming
 /// rays. Moving objects have a separate tree, and rays traverse both.
 class Tracer {
  public:
-  /// Builds the tree and uploads everything. The scene must have a triangle and is not kept.
+  /// Builds the tree and uploads everything. The scene must have a triangle; it must outlive the tracer if
+  /// the tree starts at the first ray, and is not kept otherwise.
   Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic,
-         BuildQuality quality = BuildQuality::High, TreeLevels levels = TreeLevels::Automatic);
+         BuildQuality quality = BuildQuality::High, TreeLevels levels = TreeLevels::Automatic,
+         TreeStart start = TreeStart::AtOnce);
 
   /// Shares another tracer's surface, with a tree over a part of its triangles, which keep the scene's
   /// indices. If `triangles` is empty, every ray misses. `scene` is the one that `whole` was made of.
@@ -83,12 +88,12 @@ class Tracer {
   /// Returns the options for programs that access the surface.
   BuildOptions surfaceOptions() const;
 
-  /// Returns the bytes of the trees on the device.
+  /// Returns the bytes of the trees on the device, as far as they have been built.
   std::size_t bvhBytes() const { return treeBytes_ + (separated_ ? separated_->bvhBytes() : 0); }
 
   BvhLayout layout() const { return layout_; }
 
-  /// Returns the number of instances in a tree of two levels.
+  /// Returns the number of instances in a tree of two levels that has been built.
   std::size_t instanceCount() const { return upper_.instances.size(); }
   DeviceContext& context() const { return *context_; }
 
@@ -120,6 +125,7 @@ class Tracer {
   using WideTree = Tree<device::WideNode, device::TriangleBlock>;
   using NarrowTree = Tree<device::NarrowNode, device::NarrowTriangle>;
 
+  void startTree();
   void uploadTree(const CompiledScene& scene, BuildQuality quality,
                   std::span<const std::uint32_t> triangles = {});
   template <typename Bvh, typename Kept>
@@ -145,6 +151,8 @@ class Tracer {
   bool albedoShares_ = false;
   bool dims_ = false;
   bool treeless_ = false;
+  const CompiledScene* unbuilt_ = nullptr;     ///< whose tree starts at the first ray; nullptr: it is built
+  BuildQuality quality_ = BuildQuality::High;  ///< of that tree
   std::uint32_t stackSize_ = 0;
   std::size_t treeBytes_ = 0;
   DeviceScene scene_;

@@ -40,6 +40,7 @@ def bake(client, scene, output, *options, **how):
     retries  how often a slice that fails is tried again, in addition to the workers that die (default 2)
     program  name or path of the program (default "prelight")
     threads  of a slice; default: as many as the worker has
+    resume   whether to go on with what an earlier call, which has ended early, has left in the store and in OUTPUT.state
     report   called as report(stage, done, slices) when a slice is done; default: a line on a terminal
 
     Raises SliceError where the program fails on the caller's side or, again and again, on a worker.
@@ -53,13 +54,13 @@ def reference(client, scene, output, *options, **how):
 
 
 class _Work:
-    def __init__(self, client, command, output, slices=None, store=None, retries=2, program="prelight", threads=None, report=None):
+    def __init__(self, client, command, output, slices=None, store=None, retries=2, program="prelight", threads=None, resume=False, report=None):
         self.command = command
         self.output = pathlib.Path(output).absolute()
         self.pool = _Executor(client) if isinstance(client, concurrent.futures.Executor) else _Dask(client)
         self.slices = slices or 3 * self.pool.threads()
         self.store = str(store) if store is not None else f"{self.output}.parts"
-        self.retries, self.program, self.threads = retries, program, threads
+        self.retries, self.program, self.threads, self.resume = retries, program, threads, resume
         self.report = report or _report_on_terminal
 
     def run(self):
@@ -71,30 +72,35 @@ class _Work:
         scene = str(pathlib.Path(scene).absolute())
         self.command = [name, scene, *options]
         remote_scene = scene if shared else _put(scene, f"{self.store}/scene{pathlib.Path(scene).suffix}")
-        made, state, stage = ([] if shared else [remote_scene]), None, 0
+        made, stage = ([] if shared else [remote_scene]), 0
+        left = f"{self.output}.state" if self.resume and os.path.exists(f"{self.output}.state") else None
+        if shared and self.resume:
+            made += [str(part) for part in pathlib.Path(self.store).glob("*.part")]
         try:
             while True:
-                parts = self._stage(stage, [name, remote_scene, *options], state)
+                stage += 1
+                tag = _tag_of(left)
+                state = left if shared or left is None else _put(left, f"{self.store}/{tag}.state")
+                made += [] if shared or state is None else [state]
+                parts = self._stage(stage, tag, [name, remote_scene, *options], state)
                 made += parts
                 merged = self._merge(parts)
                 if "next" not in merged:
                     return self.output
-                state = merged["state"] if shared else _put(merged["state"], f"{self.store}/{stage}.state")
-                made += [] if shared else [state]
-                stage += 1
+                left = merged["state"]
         finally:
             _remove(made, self.store if shared else None)
 
-    def _stage(self, stage, command, state):
-        """Returns the addresses of the parts of a stage, one a slice."""
+    def _stage(self, stage, tag, command, state):
+        """Returns the addresses of the parts of a stage, one a slice. `tag` is in their names."""
         jobs = []
         for i in range(1, self.slices + 1):
-            part = f"{self.store}/{stage}-{i}.part"
+            part = f"{self.store}/{tag}-{i}.part"
             jobs.append(self.pool.submit(self.retries, _do_slice, self.program, command, state, part, f"{i}/{self.slices}", self.threads))
         try:
             for done, job in enumerate(self.pool.as_completed(jobs), 1):
                 job.result()
-                self.report(stage + 1, done, self.slices)
+                self.report(stage, done, self.slices)
             return [job.result() for job in jobs]
         except BaseException:
             self.pool.cancel(jobs)
@@ -142,6 +148,11 @@ class _Executor:
     def cancel(self, jobs):
         for job in jobs:
             job.cancel()
+
+
+def _tag_of(state):
+    """Returns what tells the parts that begin with a state from those that begin with another, also in a later call."""
+    return "start" if state is None else f"{os.stat(state).st_mtime_ns:x}"
 
 
 def _tried_again(retries, call, *arguments):

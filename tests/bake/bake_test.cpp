@@ -88,13 +88,13 @@ TEST(Bake, FloorBesideAnEndlessWall_BendsAwayFromIt) {
 
 // The pilot casts two of eight passes in full; the other six cast one ray in four.
 TEST(Bake, OpenPlane_IsThinnedAfterThePilot) {
-  const Result result = run(test::ground(10, 1.0f), aoRequest(1024));
+  const Result result = run(test::ground(10, 1.0f), aoRequest(2048));
   EXPECT_NEAR(result.report.skippedRayFraction, 6.0 / 8.0 * 3.0 / 4.0, 0.06);
 }
 
 TEST(Bake, ClosedBoxInside_IsThinnedUnlessItBounces) {
   CompiledScene scene = test::box(6, {-1, -1, -1}, {1, 1, 1}, true);
-  EXPECT_GT(run(scene, aoRequest(1024)).report.skippedRayFraction, 0.5);
+  EXPECT_GT(run(scene, aoRequest(2048)).report.skippedRayFraction, 0.5);
   for (auto& material : scene.materials) material.albedo = glm::vec3(0.5f);
   EXPECT_LT(run(scene, shRequest(2, 1, 1024)).report.skippedRayFraction, 0.01);
 }
@@ -141,7 +141,7 @@ TEST_P(AdaptiveCast, MeanOverSeeds_IsTheLongBakesWithinItsStandardError) {
     return std::pair(mean, square);
   };
   const auto [truth, truthVariance] = statistics(shRequest(2, 0, 16384), 9999, 8);
-  BakeRequest request = shRequest(2, 0, 512);
+  BakeRequest request = shRequest(2, 0, 1024);
   if (byError) request.effort.error = 0.02;
   const auto [mean, variance] = statistics(request, 0, 250);
   if (!byError) {

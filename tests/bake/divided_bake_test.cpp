@@ -160,6 +160,13 @@ TEST(DividedBakeStages, OfACast_EndWithPassesThatAreLookedBackOn) {
   EXPECT_THAT(divided.stages(),
               ::testing::ElementsAre("cast from fronts, pass 1", "cast from fronts, pass 2",
                                      "cast from fronts, passes 3 to 4", "cast from fronts, passes 5 to 8"));
+  BakeRequest request;
+  request.ao = true;
+  request.effort.rays = 64;
+  test::DividedWork withoutOccluders(2);
+  (void)SmallBake(request).by(withoutOccluders);
+  EXPECT_THAT(withoutOccluders.stages(),
+              ::testing::ElementsAre("cast from fronts, passes 1 to 2", "cast from fronts, passes 3 to 8"));
 }
 
 }  // namespace

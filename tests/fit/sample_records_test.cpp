@@ -41,8 +41,8 @@ TEST(SampleRecords, AnyMemory_ReadsBackWhatWasAdded) {
 }
 
 TEST(SampleRecords, LittleMemory_KeepsNoMoreThanThatAndABlock) {
-  EXPECT_LE(filled(0).bytesInMemory(), SampleRecords::blockSize * sizeof(SampleRecord));
-  EXPECT_GE(filled(~std::uint64_t{0}).bytesInMemory(), count * sizeof(SampleRecord));
+  EXPECT_LE(filled(0).bytesInMemory(count), SampleRecords::blockSize * sizeof(SampleRecord));
+  EXPECT_GE(filled(~std::uint64_t{0}).bytesInMemory(count), count * sizeof(SampleRecord));
 }
 
 TEST(SampleRecords, BlocksOfGroups_HaveTheirRecordsInTheirOrder) {

@@ -53,6 +53,25 @@ class Distributed(unittest.TestCase):
             self.bake(executor, report=lambda stage, done, slices: stages.append((stage, done)))
             self.assertEqual(stages[:4], [(1, 1), (1, 2), (1, 3), (2, 1)])
 
+    def test_bake_that_ended_goes_on_where_it_was(self):
+        class Ended(Exception):
+            pass
+
+        def end_in_second_stage(stage, done, slices):
+            if stage == 2:
+                raise Ended
+
+        stages = []
+        with concurrent.futures.ThreadPoolExecutor(2) as executor:
+            with self.assertRaises(Ended):
+                self.bake(executor, report=end_in_second_stage)
+            self.assertTrue((self.folder / "baked.glb.state").exists())
+            self.bake(executor, resume=True, report=lambda stage, done, slices: stages.append((stage, done)))
+        again = []
+        with concurrent.futures.ThreadPoolExecutor(2) as executor:
+            self.bake(executor, report=lambda stage, done, slices: again.append((stage, done)))
+        self.assertEqual(len(stages), len(again) - 3)
+
     def test_bake_through_a_store_is_that_of_one_process(self):
         try:
             import fsspec  # noqa: F401

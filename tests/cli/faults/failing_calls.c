@@ -1,13 +1,16 @@
-// Preloaded library that makes system calls fail. tests/cli/faults/fault_sampling_test.cpp says how often and where.
+// Preloaded library that makes calls of the system and of OpenCL fail. tests/cli/faults/fault_sampling_test.cpp says how often and where.
 //
 //   PRELIGHT_FAULT: "KIND NUMBER once|forever": the call with that number (from 1) fails, alone or with all later ones. KIND is
-//       allocation, open, write, thread, rename or read. Unset: nothing fails.
+//       allocation, open, write, thread, rename, read, sync or device. Unset: nothing fails. A call of OpenCL that fails alone
+//       finds no resources; those that fail for ever find the queue invalid, as after the loss of a device.
 //   PRELIGHT_FAULT_SPARES: parts of file names of libraries, separated by colons. An allocation that such a library makes itself
 //       does not fail alone: the next one of others fails in its place. Nor does a read of its own.
 //   PRELIGHT_FAULT_COUNTS: an existing file of one 64-bit number of calls per kind, in that order, and one of failed calls.
 //
 // Calls are counted from main() on, in the program `prelight` alone. Calls that the C library makes internally are not counted.
 #define _GNU_SOURCE
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/cl.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -21,7 +24,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-enum Kind { ALLOCATION, OPEN, WRITE, THREAD, RENAME, READ, KINDS };
+enum Kind { ALLOCATION, OPEN, WRITE, THREAD, RENAME, READ, SYNC, DEVICE, KINDS };
 
 extern void* __libc_malloc(size_t);
 extern void* __libc_calloc(size_t, size_t);
@@ -33,7 +36,7 @@ static int armed, failingKind = KINDS, forever;
 static uint64_t failingNumber;
 static char spared[256];  // parts of file names, each followed by a zero; an empty one ends them
 
-static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread", "rename", "read"};
+static const char* const kindNames[KINDS] = {"allocation", "open", "write", "thread", "rename", "read", "sync", "device"};
 
 // Counts a call of a kind, and returns whether it is to fail.
 static int fails(enum Kind kind) {
@@ -232,6 +235,82 @@ READING(ssize_t, readv, -1, (int file, const struct iovec* parts, int count), (f
 READING(ssize_t, pread, -1, (int file, void* bytes, size_t count, off_t at), (file, bytes, count, at))
 READING(ssize_t, pread64, -1, (int file, void* bytes, size_t count, off64_t at), (file, bytes, count, at))
 READING(size_t, fread, 0, (void* bytes, size_t size, size_t count, FILE* file), (bytes, size, count, file))
+
+// ---- data on the disk
+
+static int notSynced(void) {
+  if (!fails(SYNC)) return 0;
+  errno = EIO;
+  return 1;
+}
+
+#define SYNCING(...) REFUSING(notSynced, __VA_ARGS__)
+
+SYNCING(int, fsync, -1, (int file), (file))
+SYNCING(int, fdatasync, -1, (int file), (file))
+
+// ---- OpenCL
+
+static cl_int deviceError(void) {
+  if (!fails(DEVICE)) return CL_SUCCESS;
+  return forever ? CL_INVALID_COMMAND_QUEUE : CL_OUT_OF_RESOURCES;
+}
+
+// Defines a function that returns an error of OpenCL.
+#define ASKING_DEVICE(name, parameters, arguments)            \
+  CL_API_ENTRY cl_int CL_API_CALL name parameters {           \
+    static cl_int(*real) parameters;                          \
+    if (real == NULL) real = (cl_int(*) parameters)next(#name); \
+    const cl_int error = deviceError();                       \
+    return error != CL_SUCCESS ? error : real arguments;      \
+  }
+
+ASKING_DEVICE(clEnqueueNDRangeKernel,
+              (cl_command_queue queue, cl_kernel kernel, cl_uint dimensions, const size_t* offset, const size_t* items,
+               const size_t* group, cl_uint waits, const cl_event* waitList, cl_event* event),
+              (queue, kernel, dimensions, offset, items, group, waits, waitList, event))
+ASKING_DEVICE(clEnqueueReadBuffer,
+              (cl_command_queue queue, cl_mem buffer, cl_bool blocks, size_t offset, size_t bytes, void* data, cl_uint waits,
+               const cl_event* waitList, cl_event* event),
+              (queue, buffer, blocks, offset, bytes, data, waits, waitList, event))
+ASKING_DEVICE(clEnqueueWriteBuffer,
+              (cl_command_queue queue, cl_mem buffer, cl_bool blocks, size_t offset, size_t bytes, const void* data,
+               cl_uint waits, const cl_event* waitList, cl_event* event),
+              (queue, buffer, blocks, offset, bytes, data, waits, waitList, event))
+ASKING_DEVICE(clEnqueueFillBuffer,
+              (cl_command_queue queue, cl_mem buffer, const void* pattern, size_t patternBytes, size_t offset, size_t bytes,
+               cl_uint waits, const cl_event* waitList, cl_event* event),
+              (queue, buffer, pattern, patternBytes, offset, bytes, waits, waitList, event))
+ASKING_DEVICE(clEnqueueCopyBuffer,
+              (cl_command_queue queue, cl_mem from, cl_mem to, size_t fromOffset, size_t toOffset, size_t bytes, cl_uint waits,
+               const cl_event* waitList, cl_event* event),
+              (queue, from, to, fromOffset, toOffset, bytes, waits, waitList, event))
+ASKING_DEVICE(clFinish, (cl_command_queue queue), (queue))
+ASKING_DEVICE(clSetKernelArg, (cl_kernel kernel, cl_uint index, size_t bytes, const void* value),
+              (kernel, index, bytes, value))
+
+// Defines a function that makes something, or returns nothing and sets an error of OpenCL.
+#define ASKING_DEVICE_FOR(type, name, parameters, arguments)      \
+  CL_API_ENTRY type CL_API_CALL name parameters {                 \
+    static type(*real) parameters;                                \
+    if (real == NULL) real = (type(*) parameters)next(#name);     \
+    const cl_int refused = deviceError();                         \
+    if (refused == CL_SUCCESS) return real arguments;             \
+    if (error != NULL) *error = refused;                          \
+    return NULL;                                                  \
+  }
+
+ASKING_DEVICE_FOR(cl_mem, clCreateBuffer,
+                  (cl_context context, cl_mem_flags flags, size_t bytes, void* host, cl_int* error),
+                  (context, flags, bytes, host, error))
+ASKING_DEVICE_FOR(cl_kernel, clCreateKernel, (cl_program program, const char* kernel, cl_int* error), (program, kernel, error))
+ASKING_DEVICE_FOR(cl_command_queue, clCreateCommandQueue,
+                  (cl_context context, cl_device_id device, cl_command_queue_properties properties, cl_int* error),
+                  (context, device, properties, error))
+ASKING_DEVICE_FOR(void*, clEnqueueMapBuffer,
+                  (cl_command_queue queue, cl_mem buffer, cl_bool blocks, cl_map_flags flags, size_t offset, size_t bytes,
+                   cl_uint waits, const cl_event* waitList, cl_event* event, cl_int* error),
+                  (queue, buffer, blocks, flags, offset, bytes, waits, waitList, event, error))
 
 // ---- threads
 
