@@ -271,6 +271,17 @@ TEST_F(StateLogFile, HeldByAnother_IsNotRemovedByARunThatIsDone) {
   EXPECT_FALSE(fs::exists(path_));
 }
 
+TEST_F(StateLogFile, HeldByAnother_IsNotReplacedByARunThatBegins) {
+  writeTwice();
+  Progress progress;
+  ResumableRun run(path_, "bake");
+  {
+    const StateLog holder = reopened();
+    EXPECT_THROW((void)run.begin(key_, progress, StateUse::Replace), UsageError);
+  }
+  EXPECT_NO_THROW((void)run.begin(key_, progress, StateUse::Replace));
+}
+
 /// A run that ends without unlocking leaves no lock: the system ends it with the process.
 TEST_F(StateLogFile, HeldByAKilledProcess_IsFree) {
   writeTwice();

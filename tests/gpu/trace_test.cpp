@@ -289,6 +289,21 @@ TEST_P(TracerTest, ClosestHit_AnyBuildQuality_IsTheSame) {
 INSTANTIATE_TEST_SUITE_P(Layouts, TracerTest, ::testing::Values(BvhLayout::Wide, BvhLayout::Narrow),
                          [](const auto& test) { return test.param == BvhLayout::Wide ? "Wide" : "Narrow"; });
 
+TEST_P(TracerTest, TreeThatStartsAtTheFirstRay_IsTheSame) {
+  const CompiledScene scene = test::randomSoup(700, 0.3f, 3);
+  Tracer late(scene, test::sharedDevice(), GetParam(), BuildQuality::High, TreeLevels::Automatic,
+              TreeStart::AtFirstRay);
+  EXPECT_EQ(late.bvhBytes(), 0u);
+  Tracer atOnce = tracerOf(scene);
+  const auto rays = randomRays(500, 5);
+  const auto hits = late.traceClosest(rays), expected = atOnce.traceClosest(rays);
+  EXPECT_EQ(late.bvhBytes(), atOnce.bvhBytes());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(hits[i].triangle, expected[i].triangle);
+    EXPECT_EQ(hits[i].t, expected[i].t);
+  }
+}
+
 TEST(WideBvh, CoincidentTriangles_StackStaysBounded) {
   const CompiledScene scene =
       test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, std::vector<glm::uvec3>(20000, {0, 1, 2}));

@@ -95,9 +95,10 @@ class FaultRuns : public ::testing::Test {
 
   /// Libraries answer a small allocation or a read that fails alone in ways that no caller can notice
   /// (docs/notes/robustness.md): Mesa leaves out a part of a picture, and PoCL 3 waits for ever for a lock of
-  /// its own. Where hwloc cannot read what the processor is, PoCL gives the device another name.
+  /// its own, and LLVM within Mesa's driver ends the process by a trap. Where hwloc cannot read what the
+  /// processor is, PoCL gives the device another name.
   void spareLibraries() {
-    spared_ = "swrast_dri:gallium:libhwloc";
+    spared_ = "swrast_dri:gallium:libLLVM:libhwloc";
     Counts ignored;
     const ProcessResult listed = run("devices --json", "", ignored);
     ASSERT_EQ(listed.exitCode, 0) << listed.errors;
