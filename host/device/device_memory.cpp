@@ -13,20 +13,20 @@ DeviceMemory::DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOn
 DeviceMemory::~DeviceMemory() = default;
 
 void DeviceMemory::write(const void* data, std::size_t bytes, std::size_t at) {
-  withMemory([&] { opencl_->queue.enqueueWriteBuffer(opencl_->buffer, CL_TRUE, at, bytes, data); });
+  calling([&] { opencl_->queue.enqueueWriteBuffer(opencl_->buffer, CL_TRUE, at, bytes, data); });
 }
 
 void DeviceMemory::read(void* data, std::size_t bytes, std::size_t at) const {
-  withMemory([&] { opencl_->queue.enqueueReadBuffer(opencl_->buffer, CL_TRUE, at, bytes, data); });
+  calling([&] { opencl_->queue.enqueueReadBuffer(opencl_->buffer, CL_TRUE, at, bytes, data); });
 }
 
 const void* DeviceMemory::mapToRead(std::size_t bytes) const {
-  return withMemory(
+  return calling(
       [&] { return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_READ, 0, bytes); });
 }
 
 void* DeviceMemory::mapToOverwrite(std::size_t bytes) {
-  return withMemory([&] {
+  return calling([&] {
     return opencl_->queue.enqueueMapBuffer(opencl_->buffer, CL_TRUE, CL_MAP_WRITE_INVALIDATE_REGION, 0,
                                            bytes);
   });
@@ -42,13 +42,13 @@ void DeviceMemory::fill(const void* pattern, std::size_t patternBytes, std::size
   // The C function is used because the C++ bindings take patterns by their type only.
   const cl_int status = clEnqueueFillBuffer(opencl_->queue(), opencl_->buffer(), pattern, patternBytes, 0,
                                             bytes, 0, nullptr, nullptr);
-  withMemory([&] {
+  calling([&] {
     if (status != CL_SUCCESS) throw cl::Error(status, "clEnqueueFillBuffer");
   });
 }
 
 void DeviceMemory::copy(const DeviceMemory& from, std::size_t bytes) {
-  withMemory([&] { opencl_->queue.enqueueCopyBuffer(from.opencl_->buffer, opencl_->buffer, 0, 0, bytes); });
+  calling([&] { opencl_->queue.enqueueCopyBuffer(from.opencl_->buffer, opencl_->buffer, 0, 0, bytes); });
 }
 
 void* DeviceMemory::handle() const { return opencl_->buffer(); }

@@ -65,10 +65,12 @@ struct BuiltKernel::OpenCl {
 
 BuiltKernel::BuiltKernel(DeviceContext& device, const std::string& file, const BuildOptions& options,
                          const std::string& name, std::span<const KernelArgument> arguments)
-    : opencl_(std::make_unique<OpenCl>(
-          OpenCl{device.opencl(), cl::Kernel(device.opencl().program(file, options), name.c_str())})) {
+    : opencl_(std::make_unique<OpenCl>(OpenCl{device.opencl(), calling([&] {
+                                                return cl::Kernel(device.opencl().program(file, options),
+                                                                  name.c_str());
+                                              })})) {
   const std::string where = fmt::format("kernel {} of {}", name, file);
-  const auto count = opencl_->kernel.getInfo<CL_KERNEL_NUM_ARGS>();
+  const auto count = calling([&] { return opencl_->kernel.getInfo<CL_KERNEL_NUM_ARGS>(); });
   if (count != arguments.size())
     throw Error(ExitCode::RuntimeFailure, where,
                 fmt::format("takes {} arguments, got {}", count, arguments.size()));
@@ -80,12 +82,12 @@ BuiltKernel::BuiltKernel(DeviceContext& device, const std::string& file, const B
 BuiltKernel::~BuiltKernel() = default;
 
 void BuiltKernel::setValue(std::uint32_t index, const void* value, std::size_t bytes) {
-  opencl_->kernel.setArg(index, bytes, value);
+  calling([&] { opencl_->kernel.setArg(index, bytes, value); });
 }
 
 void BuiltKernel::setMemory(std::uint32_t index, const DeviceMemory* memory) {
   const cl::Buffer none;
-  opencl_->kernel.setArg(index, memory != nullptr ? memory->opencl().buffer : none);
+  calling([&] { opencl_->kernel.setArg(index, memory != nullptr ? memory->opencl().buffer : none); });
 }
 
 void BuiltKernel::launch(WorkSize size) {

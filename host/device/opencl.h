@@ -38,17 +38,29 @@ inline void tellOfMissingMemory(const cl::Error& error) {
   if (const std::new_handler end = std::get_new_handler()) end();
 }
 
-/// Runs a call of the runtime. Throws Error with ExitCode::OutOfMemory if the call found no memory.
+/// What to do where the runtime no longer answers as it should.
+constexpr const char* whenDeviceFails = "run it again, or choose another DeviceOptions::selector";
+
+/// What a call of the runtime that failed means for the caller.
+inline Error errorOf(const cl::Error& error) {
+  if (isOutOfMemory(error)) {
+    tellOfMissingMemory(error);
+    return {ExitCode::OutOfMemory, "OpenCL",
+            fmt::format("{} found no memory ({})", error.what(), error.err()),
+            "give the bake less with BakeRequest::maxMemory, or close other programs"};
+  }
+  return {ExitCode::RuntimeFailure, "OpenCL",
+          fmt::format("{} failed ({}), as when a device is lost", error.what(), error.err()),
+          whenDeviceFails};
+}
+
+/// Runs calls of the runtime. Throws errorOf() what they throw.
 template <typename Call>
-decltype(auto) withMemory(Call&& call) {
+decltype(auto) calling(Call&& call) {
   try {
     return std::forward<Call>(call)();
   } catch (const cl::Error& error) {
-    if (!isOutOfMemory(error)) throw;
-    tellOfMissingMemory(error);
-    throw Error(ExitCode::OutOfMemory, "OpenCL",
-                fmt::format("{} found no memory ({})", error.what(), error.err()),
-                "give the bake less with BakeRequest::maxMemory, or close other programs");
+    throw errorOf(error);
   }
 }
 

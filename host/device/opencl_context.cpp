@@ -70,7 +70,7 @@ cl::Buffer OpenClContext::allocate(std::size_t bytes, cl_mem_flags flags) {
   } catch (const cl::Error& error) {
     tellOfMissingMemory(error);
     if (isOutOfMemory(error) || error.err() == CL_INVALID_BUFFER_SIZE) throw fail();
-    throw;
+    throw errorOf(error);
   }
 }
 
@@ -86,7 +86,8 @@ void OpenClContext::launch(const cl::Kernel& kernel, std::size_t items, std::siz
     tellOfMissingMemory(error);
     throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure, info_.name,
                 fmt::format("kernel {} failed to launch: {} ({})", kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(),
-                            error.what(), error.err()));
+                            error.what(), error.err()),
+                whenDeviceFails);
   }
 }
 

@@ -44,7 +44,9 @@ class OpenClContext {
 
   /// Waits for all lanes.
   void finish() {
-    for (cl::CommandQueue& queue : queues_) queue.finish();
+    calling([&] {
+      for (cl::CommandQueue& queue : queues_) queue.finish();
+    });
   }
 
  private:

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 8> kinds = {"allocation", "open", "write", "thread",
                                               "rename",     "read", "sync",  "device"};
-constexpr std::size_t readKind = 5;
+constexpr std::size_t readKind = 5, deviceKind = 7;
 constexpr std::array<const char*, 2> lengths = {"once", "forever"};
 
 /// Number of calls of each kind in a run, and of failed calls.
@@ -191,6 +191,22 @@ TEST_P(FaultSampling, CallThatFails_EndsInTheAgreedWay) {
   const ProcessResult after = run(command.arguments, "", counts);
   EXPECT_EQ(after.exitCode, 0) << "the caches are spoilt\n" << after.errors;
   EXPECT_EQ(runs_.outputs(), whole);
+}
+
+TEST_F(FaultRuns, DeviceThatIsLost_IsToldWithWhatToDo) {
+  const std::string command = "bake @scene.glb -o out.glb --ao --rays 16 --quiet";
+  Counts calls, counts;
+  ASSERT_EQ(run(command, "", calls).exitCode, 0);
+  constexpr std::uint64_t places = 12;
+  const std::uint64_t all = calls.calls[deviceKind];
+  ASSERT_GT(all, places);
+  for (std::uint64_t i = 0; i < places; ++i) {
+    const std::string fault = "device " + std::to_string(1 + i * all / places) + " forever";
+    const ProcessResult result = run(command, fault, counts);
+    EXPECT_NE(result.exitCode, 0) << fault;
+    EXPECT_THAT(result.errors, ::testing::AllOf(::testing::HasSubstr("cl"), ::testing::HasSubstr("--device")))
+        << fault;
+  }
 }
 
 TEST_F(FaultRuns, InputThatCannotBeRead_IsNamed) {
