@@ -62,7 +62,7 @@ CompiledScene underCeiling() {
 
 TEST(NearLamps, PlaneAboveFloor_ShadowsWhatIsBehindItAlone) {
   const CompiledScene scene = underCeiling();
-  const Bake bake = test::runBake(scene, shellRequest(6, 8)).bake;
+  const Bake bake = test::runBake(scene, shellRequest(6, 8, 4096)).bake;
   const std::uint32_t middle = vertexNearest(scene, {0, 0, 0});
   const auto from = [&](double distance) {
     return lampVisibility(*bake.nearLamps, middle, {0, 1, 0}, {0, 1, 0}, distance);
