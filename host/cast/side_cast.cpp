@@ -88,21 +88,20 @@ bool SideCast::endRound(const Progress& progress) {
 // cast meet wherever it does, so it does so seldom: on fronts after a quarter of a round, where 1024 rays a
 // vertex are the first that have enough of them around most slots; where columns follow accessibility,
 // whenever the passes have doubled; on backs, which are few, after a round.
-std::uint32_t SideCast::firstOfStage() const {
-  if (sampler_.side() == Side::Back) return 0;
-  if (tellsAccessibility_) return std::bit_floor(passInRound_);
-  return passInRound_ < passesBeforeLook() ? 0 : passesBeforeLook();
-}
-
-std::uint32_t SideCast::endOfStage() const {
-  if (sampler_.side() == Side::Back) return schedule_.passes;
-  if (tellsAccessibility_) return std::min(std::max(2 * firstOfStage(), 1u), schedule_.passes);
-  return passInRound_ < passesBeforeLook() ? passesBeforeLook() : schedule_.passes;
+SideCast::PassRange SideCast::passesOfStage() const {
+  if (sampler_.side() == Side::Back) return {0, schedule_.passes};
+  if (tellsAccessibility_) {
+    const std::uint32_t first = std::bit_floor(passInRound_);
+    return {first, std::min(std::max(2 * first, 1u), schedule_.passes)};
+  }
+  const std::uint32_t look = schedule_.passes / 4;
+  return passInRound_ < look ? PassRange{0, look} : PassRange{look, schedule_.passes};
 }
 
 std::string SideCast::stage() const {
-  const std::uint32_t before = pass_ - passInRound_, first = before + firstOfStage() + 1,
-                      last = before + endOfStage();
+  const PassRange inRound = passesOfStage();
+  const std::uint32_t before = pass_ - passInRound_, first = before + inRound.first + 1,
+                      last = before + inRound.end;
   const std::string passes =
       last > first ? fmt::format("passes {} to {}", first, last) : fmt::format("pass {}", first);
   return fmt::format("cast from {}, {}", sampler_.side() == Side::Front ? "fronts" : "backs", passes);
@@ -142,7 +141,7 @@ void SideCast::castPass(Progress& progress, WorkPart& part) {
 }
 
 void SideCast::endPass() {
-  const bool ends = passInRound_ + 1 == endOfStage();
+  const bool ends = passInRound_ + 1 == passesOfStage().end;
   ++pass_;
   ++passInRound_;
   if (!ends) return;

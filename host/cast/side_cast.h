@@ -50,11 +50,11 @@ class SideCast {
   /// Waits until all blocks that were handed over have been cast and added up.
   void finishBlocks() const;
 
-  /// What decides where further receivers are placed.
+  /// The placing is the part of the state that decides where further receivers lie.
   void savePlacing(StateWriter& state) const;
   void loadPlacing(StateReader& state);
 
-  /// What the receivers have seen.
+  /// The sums are the other part: they hold what the receivers have seen.
   void saveSums(StateWriter& state) const { sums_.save(state); }
   void loadSums(StateReader& state);
 
@@ -78,6 +78,11 @@ class SideCast {
   std::uint64_t rays() const { return receivers() * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:
+  /// Passes [first, end) of a round.
+  struct PassRange {
+    std::uint32_t first, end;
+  };
+
   /// Writes or reads the counts of the schedule, in one order for both.
   template <typename Self, typename State>
   static void exchangeCounts(Self& cast, State& state);
@@ -87,9 +92,7 @@ class SideCast {
   bool timeIsUp() const;
   bool endRound(const Progress& progress);
   void castPass(Progress& progress, WorkPart& part);
-  std::uint32_t firstOfStage() const;
-  std::uint32_t endOfStage() const;
-  std::uint32_t passesBeforeLook() const { return schedule_.passes / 4; }
+  PassRange passesOfStage() const;
   std::string stage() const;
   void endPass();
   void estimateAccessibility(const Progress& progress);

@@ -38,10 +38,10 @@ inline void tellOfMissingMemory(const cl::Error& error) {
   if (const std::new_handler end = std::get_new_handler()) end();
 }
 
-/// What to do where the runtime no longer answers as it should.
+/// The advice of errors after which the runtime may no longer answer.
 constexpr const char* whenDeviceFails = "run it again, or choose another DeviceOptions::selector";
 
-/// What a call of the runtime that failed means for the caller.
+/// Returns the error that the caller gets for a failed call of the runtime.
 inline Error errorOf(const cl::Error& error) {
   if (isOutOfMemory(error)) {
     tellOfMissingMemory(error);

@@ -1,5 +1,5 @@
-// What the program opens, as strace sees it: the files of a scene, its own outputs and caches, and the
-// system's; nothing else beside or above a scene, whatever the scene names.
+// The program opens the files of a scene, its own outputs and caches, and the system's files. strace shows
+// that it opens nothing else beside or above a scene, whatever the scene names.
 #include <gmock/gmock.h>
 
 #include <filesystem>

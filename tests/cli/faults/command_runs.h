@@ -39,8 +39,8 @@ class CommandRuns {
   /// Runs a command in a folder that is emptied before.
   ProcessResult run(const std::string& arguments, const Environment& environment) const;
 
-  /// What the last command has written there without times, in which equal runs differ:
-  /// [path below the folder].
+  /// Returns the files of the last command by their paths below its folder, without times, in which equal
+  /// runs differ.
   std::map<std::string, std::string> outputs() const;
 
   const std::filesystem::path& folder() const { return folder_; }
